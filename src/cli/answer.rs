@@ -7,12 +7,12 @@ use std::process::ExitCode;
 
 /// A value for an answer in JSON, with these fields in this order. Its type has no name to say.
 macro_rules! fields {
-    ($($name:ident $(: $value:expr)?),* $(,)?) => {{
+    ($($(#[$how:meta])* $name:ident $(: $value:expr)?),* $(,)?) => {{
         #[allow(non_camel_case_types)]
         mod shape {
             #[derive(serde::Serialize)]
             pub(super) struct Fields<$($name),*> {
-                $(pub(super) $name: $name),*
+                $($(#[$how])* pub(super) $name: $name),*
             }
         }
         shape::Fields { $($name $(: $value)?),* }
@@ -38,18 +38,17 @@ impl Answer {
     }
 }
 
-/// A report whose fields are the answer in JSON, and that people can read, too.
-pub(crate) trait InWords: Serialize {
-    /// Prints it for people.
-    fn print(&self, out: &mut Output) -> io::Result<()>;
-}
-
-/// Tells what was found: all is fine.
-pub(crate) fn tell(report: &impl InWords, json: bool, out: &mut Output) -> Result<Answer, Failure> {
+/// Tells what was found, as JSON or for people: all is fine.
+pub(crate) fn tell(
+    answer: &impl Serialize,
+    json: bool,
+    out: &mut Output,
+    print: impl FnOnce(&mut Output) -> io::Result<()>,
+) -> Result<Answer, Failure> {
     if json {
-        out.json(report)?;
+        out.json(answer)?;
     } else {
-        report.print(out)?;
+        print(out)?;
     }
     Ok(Answer::Yes)
 }

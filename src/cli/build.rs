@@ -1,6 +1,6 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
-use super::answer::InWords;
+use super::answer::fields;
 use super::choice::pair;
 use super::failure::{Failure, say};
 use super::results::{Moved, Results};
@@ -10,11 +10,10 @@ use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
     faults_with_places, read_path, source_name,
 };
-use dcel_kit::plane::{ArrangeOptions, Arranged, Point, SegmentsError};
+use dcel_kit::plane::{ArrangeOptions, Point, SegmentsError};
 use dcel_kit::topology::components;
-use serde::Serialize;
 use std::fmt::Display;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Build the subdivision that segments cut the plane into
@@ -68,46 +67,6 @@ fn hole(text: &str) -> Result<Point, String> {
     pair(text).map(Point::from)
 }
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Report {
-    source: String,
-    format: &'static str,
-    segments: usize,
-    vertices: usize,
-    edges: usize,
-    faces: usize,
-    components: usize,
-    euler: i64,
-    hole_faces: Vec<String>,
-    isolated_vertices: Vec<String>,
-    /// Segments by input number, from 0.
-    zero_length: Vec<u32>,
-    repeated: Vec<Repeated>,
-    crossings: Vec<String>,
-    moved: Vec<Moved>,
-    /// The distance of neighbours of the grid, if points were rounded to one.
-    grid: Option<f64>,
-    /// Vertices of the input that the grid moved.
-    displaced: Vec<Moved>,
-    /// Segments that became a point on the grid, by input number.
-    collapsed: Vec<u32>,
-    /// No point of a segment is further from what it became.
-    farthest: f64,
-    rounds: u32,
-    dangles: Vec<String>,
-    cut_edges: Vec<String>,
-    /// What was done to the segments, in words.
-    #[serde(skip)]
-    notes: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Repeated {
-    segment: u32,
-    repeats: u32,
-}
-
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.results.check(&args.file)?;
     let mend = args.mend || args.split_crossings;
@@ -152,11 +111,62 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.results.draw(&args.file, "Segments", out, |options| {
         figure::structure(&arranged.subdivision, &options).map_err(|error| Failure::about(&source, error))
     })?;
-    let report = Report::of(source, read.format, soup, &arranged);
+    let s = &arranged.subdivision;
+    let lone = s.dangles_and_cut_edges();
+    let answer = fields! {
+        source,
+        format: read.format.name(),
+        segments: soup.segments.len(),
+        vertices: s.vertex_count(),
+        edges: s.edge_count(),
+        faces: s.face_count(),
+        components: components(s).count(),
+        euler: s.vertex_count() as i64 - s.edge_count() as i64 + s.face_count() as i64,
+        hole_faces: names(s.hole_faces()),
+        isolated_vertices: names(s.vertices().filter(|&v| s.outgoing(v).is_none())),
+        // Segments by input number, from 0.
+        zero_length: &arranged.zero_length,
+        repeated: arranged.repeated.iter().map(|(segment, repeats)| fields! { segment, repeats }).collect::<Vec<_>>(),
+        crossings: names(arranged.crossings.iter()),
+        moved: Moved::all(&arranged.moved),
+        // The distance of neighbours of the grid, if points were rounded to one.
+        grid: arranged.grid,
+        // Vertices of the input that the grid moved.
+        displaced: Moved::all(&arranged.displaced),
+        // Segments that became a point on the grid, by input number.
+        collapsed: &arranged.collapsed,
+        // No point of a segment is further from what it became.
+        farthest: arranged.farthest,
+        rounds: arranged.rounds,
+        dangles: names(lone.dangles.iter()),
+        cut_edges: names(lone.cut_edges.iter()),
+    };
+    let say_notes = || describe(&arranged).iter().for_each(|note| say("note", note));
     if args.results.is_text() {
-        report.say_notes();
+        say_notes();
     }
-    args.results.finish(&Model::planar(&arranged.subdivision), &report, out)
+    args.results.finish(&Model::planar(s), &answer, out, |out| {
+        let segments = counted(answer.segments, "segment", "segments");
+        writeln!(out, "{}: plane, {}, {segments}", answer.source, answer.format)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", answer.vertices.to_string())?;
+        line("edges", answer.edges.to_string())?;
+        line("faces", format!("{} (with the outer face)", answer.faces))?;
+        line("components", answer.components.to_string())?;
+        line("euler", format!("V - E + F = {}", answer.euler))?;
+        for (what, list) in [
+            ("hole faces", &answer.hole_faces),
+            ("isolated", &answer.isolated_vertices),
+            ("dangles", &answer.dangles),
+            ("cut edges", &answer.cut_edges),
+        ] {
+            if !list.is_empty() {
+                line(what, listed(list))?;
+            }
+        }
+        say_notes();
+        Ok(())
+    })
 }
 
 /// The error, and the faults after the first one with their places.
@@ -168,66 +178,6 @@ fn refused(soup: &SegmentSoup, error: LoadError) -> Failure {
         _ => Vec::new(),
     };
     Failure::from(error).with_notes(rest)
-}
-
-impl Report {
-    fn of(source: String, format: Format, soup: &SegmentSoup, arranged: &Arranged) -> Self {
-        let s = &arranged.subdivision;
-        let lone = s.dangles_and_cut_edges();
-        let repeated = arranged.repeated.iter().map(|&(segment, repeats)| Repeated { segment, repeats });
-        Self {
-            source,
-            format: format.name(),
-            segments: soup.segments.len(),
-            vertices: s.vertex_count(),
-            edges: s.edge_count(),
-            faces: s.face_count(),
-            components: components(s).count(),
-            euler: s.vertex_count() as i64 - s.edge_count() as i64 + s.face_count() as i64,
-            hole_faces: names(s.hole_faces()),
-            isolated_vertices: names(s.vertices().filter(|&v| s.outgoing(v).is_none())),
-            zero_length: arranged.zero_length.clone(),
-            repeated: repeated.collect(),
-            crossings: names(arranged.crossings.iter()),
-            moved: Moved::all(&arranged.moved),
-            grid: arranged.grid,
-            displaced: Moved::all(&arranged.displaced),
-            collapsed: arranged.collapsed.clone(),
-            farthest: arranged.farthest,
-            rounds: arranged.rounds,
-            dangles: names(lone.dangles.iter()),
-            cut_edges: names(lone.cut_edges.iter()),
-            notes: describe(arranged),
-        }
-    }
-
-    fn say_notes(&self) {
-        self.notes.iter().for_each(|note| say("note", note));
-    }
-}
-
-impl InWords for Report {
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: plane, {}, {}", self.source, self.format, counted(self.segments, "segment", "segments"))?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        line("vertices", self.vertices.to_string())?;
-        line("edges", self.edges.to_string())?;
-        line("faces", format!("{} (with the outer face)", self.faces))?;
-        line("components", self.components.to_string())?;
-        line("euler", format!("V - E + F = {}", self.euler))?;
-        for (what, list) in [
-            ("hole faces", &self.hole_faces),
-            ("isolated", &self.isolated_vertices),
-            ("dangles", &self.dangles),
-            ("cut edges", &self.cut_edges),
-        ] {
-            if !list.is_empty() {
-                line(what, listed(list))?;
-            }
-        }
-        self.say_notes();
-        Ok(())
-    }
 }
 
 fn names<T: Display>(elements: impl Iterator<Item = T>) -> Vec<String> {

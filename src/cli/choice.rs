@@ -28,3 +28,22 @@ where
         found.map(|(.., value)| value.clone()).ok_or("no such word")
     })
 }
+
+/// The commands of a group, each with the module that has its `Args` and runs it.
+macro_rules! commands {
+    ($($(#[$how:meta])* $name:ident $module:ident,)*) => {
+        #[derive(clap::Subcommand, Debug)]
+        enum Command {
+            $($(#[$how])* $name(Box<$module::Args>),)*
+        }
+
+        impl Command {
+            fn run(&self, out: &mut $crate::Output) -> Result<$crate::Answer, $crate::Failure> {
+                match self {
+                    $(Self::$name(args) => $module::run(args, out),)*
+                }
+            }
+        }
+    };
+}
+pub(crate) use commands;

@@ -1,6 +1,6 @@
 //! `dcel delaunay`: of points, of a graph whose edges stay, or of a triangulation by flips.
 
-use super::answer::InWords;
+use super::answer::fields;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::results::Results;
@@ -10,8 +10,7 @@ use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{Model, counted, read_points, source_name};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::{EdgeId, EdgeMap};
-use serde::Serialize;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Circles are drawn round so many triangles at most.
@@ -51,39 +50,6 @@ pub(crate) struct Args {
     input: InputOptions,
 }
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Report {
-    source: String,
-    /// Points in the file; for a graph its vertices.
-    points: usize,
-    repeated: Vec<Repeated>,
-    vertices: usize,
-    edges: usize,
-    triangles: usize,
-    /// Half-edges of the outer face.
-    outline: usize,
-    hole_faces: usize,
-    constrained: usize,
-    /// Edges that are not locally Delaunay because they have to stay.
-    not_delaunay: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    flips: Option<usize>,
-}
-
-/// Points by number, from 0.
-#[derive(Serialize)]
-pub(super) struct Repeated {
-    point: u32,
-    repeats: u32,
-}
-
-impl Repeated {
-    pub(super) fn all(pairs: &[(u32, u32)]) -> Vec<Self> {
-        pairs.iter().map(|&(point, repeats)| Self { point, repeats }).collect()
-    }
-}
-
 /// What was made.
 struct Made {
     subdivision: Subdivision,
@@ -107,21 +73,44 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let made = if args.constrained || args.flips { of_graph(args)? } else { of_points(args)? };
     let s = &made.subdivision;
     args.results.draw(&args.file, "Delaunay", out, |options| draw(&made, args.circles, &options))?;
-    let report = Report {
+    let answer = fields! {
         source: source_name(&args.file),
+        // In the file; of a graph its vertices.
         points: made.points,
-        repeated: Repeated::all(&made.repeated),
+        // Points by number, from 0.
+        repeated: made.repeated.iter().map(|(point, repeats)| fields! { point, repeats }).collect::<Vec<_>>(),
         vertices: s.vertex_count(),
         edges: s.edge_count(),
         triangles: s.face_count() - 1,
+        // Half-edges of the outer face.
         outline: s.cycles(s.outer_face()).map(|h| s.cycle(h).count()).sum(),
         hole_faces: s.hole_faces().count(),
         constrained: made.constrained.as_slice().iter().filter(|&&stays| stays).count(),
+        // Edges that are not locally Delaunay because they have to stay.
         not_delaunay: s.non_delaunay_edges(|_| false).count(),
-        flips: made.flips,
+        #[serde(flatten)]
+        flips: made.flips.map(|flips| fields! { flips }),
     };
-    report.say_notes();
-    args.results.finish(&Model::planar(s), &report, out)
+    say_notes(&made);
+    args.results.finish(&Model::planar(s), &answer, out, |out| {
+        writeln!(out, "{}: {}", answer.source, counted(answer.points, "point", "points"))?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", answer.vertices.to_string())?;
+        line("edges", answer.edges.to_string())?;
+        line("triangles", answer.triangles.to_string())?;
+        line("outline", format!("{} of f0", counted(answer.outline, "half-edge", "half-edges")))?;
+        if let Some(flips) = made.flips {
+            line("flips", flips.to_string())?;
+        }
+        if answer.constrained > 0 {
+            let constrained = counted(answer.constrained, "edge", "edges");
+            line("constrained", format!("{constrained}, {} of them not Delaunay", answer.not_delaunay))?;
+        }
+        if answer.hole_faces > 0 {
+            line("hole faces", answer.hole_faces.to_string())?;
+        }
+        Ok(())
+    })
 }
 
 fn of_points(args: &Args) -> Result<Made, Failure> {
@@ -166,41 +155,15 @@ fn draw(made: &Made, circles: bool, options: &FigureOptions) -> Result<Figure, F
     drawn.map_err(|error| Failure::input(error, ""))
 }
 
-impl Report {
-    fn say_notes(&self) {
-        if !self.repeated.is_empty() {
-            let first: Vec<String> =
-                self.repeated.iter().take(5).map(|r| format!("{} = {}", r.point, r.repeats)).collect();
-            let rest = if self.repeated.len() > 5 { ", ..." } else { "" };
-            let count = self.repeated.len();
-            say("note", format_args!("points that repeat earlier ones, {count}: {}{rest}", first.join(", ")));
-        }
-        if self.triangles == 0 && self.vertices > 2 {
-            say("note", "all points lie on one line: this is a path");
-        }
+fn say_notes(made: &Made) {
+    let (repeated, s) = (&made.repeated, &made.subdivision);
+    if !repeated.is_empty() {
+        let first: Vec<String> =
+            repeated.iter().take(5).map(|(point, earlier)| format!("{point} = {earlier}")).collect();
+        let (count, rest) = (repeated.len(), if repeated.len() > 5 { ", ..." } else { "" });
+        say("note", format_args!("points that repeat earlier ones, {count}: {}{rest}", first.join(", ")));
     }
-}
-
-impl InWords for Report {
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: {}", self.source, counted(self.points, "point", "points"))?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        line("vertices", self.vertices.to_string())?;
-        line("edges", self.edges.to_string())?;
-        line("triangles", self.triangles.to_string())?;
-        line("outline", format!("{} of f0", counted(self.outline, "half-edge", "half-edges")))?;
-        if let Some(flips) = self.flips {
-            line("flips", flips.to_string())?;
-        }
-        if self.constrained > 0 {
-            line(
-                "constrained",
-                format!("{}, {} of them not Delaunay", counted(self.constrained, "edge", "edges"), self.not_delaunay),
-            )?;
-        }
-        if self.hole_faces > 0 {
-            line("hole faces", self.hole_faces.to_string())?;
-        }
-        Ok(())
+    if s.face_count() == 1 && s.vertex_count() > 2 {
+        say("note", "all points lie on one line: this is a path");
     }
 }

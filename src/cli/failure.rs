@@ -9,6 +9,7 @@
 //! With `--json` the same goes to standard output as well, in place of the answer: see [`ErrorReport`].
 
 use super::Output;
+use super::answer::fields;
 use dcel_kit::io::{LoadError, ReadError, ReadProblem, WriteError};
 use dcel_kit::plane::{ConvertError, SegmentsError};
 use dcel_kit::solid::SolidError;
@@ -28,23 +29,6 @@ pub(crate) struct Failure {
     file: Option<String>,
     notes: Vec<String>,
     help: String,
-}
-
-/// An error as JSON. The names are those of the JSON form; `dcel --help` and the README tell of it.
-#[derive(Serialize)]
-struct ErrorReport<'a> {
-    error: ErrorBody<'a>,
-}
-
-#[derive(Serialize)]
-struct ErrorBody<'a> {
-    /// `usage`, `input`, `machine` or `signal`.
-    kind: &'static str,
-    message: &'a str,
-    place: Option<Place<'a>>,
-    notes: &'a [String],
-    help: Option<&'a str>,
-    exit_code: u8,
 }
 
 /// Where in which file. Lines and columns count from 1.
@@ -101,6 +85,13 @@ impl Failure {
     /// What is wrong with this file, or at this place in it: exit code 2.
     pub(crate) fn about(place: impl Display, error: impl Display) -> Self {
         Self::input(format!("{place}: {error}"), "")
+    }
+
+    /// An error whose words say what helps, behind a semicolon; the place stands before them.
+    pub(crate) fn helped(place: impl Display, error: impl Display) -> Self {
+        let text = error.to_string();
+        let (what, help) = text.split_once("; ").unwrap_or((&text, ""));
+        Self::input(format!("{place}{what}"), help)
     }
 
     fn new(kind: Kind, what: impl Display, help: impl Into<String>) -> Self {
@@ -169,8 +160,10 @@ impl Failure {
             None => (None, self.what.as_str()),
         };
         let (notes, help) = (self.notes.as_slice(), Some(self.help.as_str()).filter(|help| !help.is_empty()));
-        let error = ErrorBody { kind: self.kind.name(), message, place, notes, help, exit_code: self.kind.exit_code() };
-        let _ = out.json(&ErrorReport { error }).map(|()| out.flush());
+        let (kind, exit_code) = (self.kind.name(), self.kind.exit_code());
+        // `dcel --help` and the README tell of it.
+        let error = fields! { kind, message, place, notes, help, exit_code };
+        let _ = out.json(&fields! { error }).map(|()| out.flush());
     }
 
     pub(crate) fn exit_code(&self) -> ExitCode {
@@ -311,11 +304,7 @@ impl Failure {
         let name = if target.as_os_str() == "-" { STDOUT.into() } else { target.display().to_string() };
         match error {
             WriteError::Io(error) => Self::writing(name, &error),
-            other => {
-                let what = other.to_string();
-                let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
-                Self::input(format!("{name}: {what}"), help)
-            }
+            other => Self::helped(format_args!("{name}: "), other),
         }
     }
 }

@@ -5,7 +5,7 @@ use super::failure::say;
 use super::figure_kind::Kind;
 use super::input::InputOptions;
 use super::looks::{Crop, Looks, Page};
-use super::picture::{Target, is_page};
+use super::picture::{Target, is_page, title};
 use super::save::{Files, put};
 use super::saved::Saved;
 use super::subject::{self, Subject};
@@ -214,8 +214,7 @@ fn dual(subject: &Subject, options: &FigureOptions) -> Result<Figure, Failure> {
 
 impl Drawing {
     fn options(&self, file: &Path) -> FigureOptions {
-        let stem = file.file_stem().filter(|stem| *stem != "-").map(|stem| stem.to_string_lossy().into_owned());
-        let title = self.title.clone().or(stem).unwrap_or_else(|| "Half-edge structure".to_owned());
+        let title = self.title.clone().unwrap_or_else(|| title(file, "Half-edge structure"));
         let mut options = FigureOptions::new(title)
             .vertex_labels(!self.no_labels && !self.no_vertex_labels)
             .interactive(self.interactive)

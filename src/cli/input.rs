@@ -258,3 +258,8 @@ impl InputOptions {
         LoadOptions { read, orient: self.orient, mend: self.mends(), trust: self.trust, mode }
     }
 }
+
+/// The text of a file that belongs to the command, and not to what it computes.
+pub(crate) fn text_of(file: &Path, help: &str) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), help))
+}

@@ -58,7 +58,8 @@ mod walk;
 pub use lab::program_sources;
 
 use answer::Answer;
-use clap::{Parser, Subcommand};
+use choice::commands;
+use clap::Parser;
 use dcel_lab::judge::Judge;
 use failure::Failure;
 use output::Output;
@@ -97,33 +98,32 @@ struct Cli {
     command: Command,
 }
 
-#[derive(Subcommand, Debug)]
-enum Command {
-    Info(info::Args),
-    Validate(validate::Args),
-    Walk(walk::Args),
-    Compare(compare::Args),
-    Convert(convert::Args),
-    Build(build::Args),
-    Locate(locate::Args),
-    Overlay(overlay::Args),
-    Triangulate(Box<triangulate::Args>),
-    Navmesh(navmesh::Args),
-    Delaunay(Box<delaunay::Args>),
-    Voronoi(Box<voronoi::Args>),
-    Figure(Box<figure::Args>),
-    Film(Box<film::Args>),
-    Script(script::Args),
-    Solid(solid::Args),
-    Lab(lab::Args),
-    Grade(Box<grade::Args>),
-    Gradebook(gradebook::Args),
-    Play(play::Args),
-    Sample(sample::Args),
-    Tour(tour::Args),
-    Figures(figures::Args),
-    Completions(completions::Args),
-    Man(man::Args),
+commands! {
+    Info info,
+    Validate validate,
+    Walk walk,
+    Compare compare,
+    Convert convert,
+    Build build,
+    Locate locate,
+    Overlay overlay,
+    Triangulate triangulate,
+    Navmesh navmesh,
+    Delaunay delaunay,
+    Voronoi voronoi,
+    Figure figure,
+    Film film,
+    Script script,
+    Solid solid,
+    Lab lab,
+    Grade grade,
+    Gradebook gradebook,
+    Play play,
+    Sample sample,
+    Tour tour,
+    Figures figures,
+    Completions completions,
+    Man man,
 }
 
 impl Command {
@@ -138,36 +138,6 @@ impl Command {
             self,
             Self::Lab(_) | Self::Grade(_) | Self::Gradebook(_) | Self::Tour(_) | Self::Completions(_) | Self::Man(_)
         )
-    }
-
-    fn run(self, out: &mut Output) -> Result<Answer, Failure> {
-        match self {
-            Self::Info(args) => info::run(&args, out),
-            Self::Validate(args) => validate::run(&args, out),
-            Self::Walk(args) => walk::run(&args, out),
-            Self::Compare(args) => compare::run(&args, out),
-            Self::Convert(args) => convert::run(&args, out),
-            Self::Build(args) => build::run(&args, out),
-            Self::Locate(args) => locate::run(&args, out),
-            Self::Overlay(args) => overlay::run(&args, out),
-            Self::Triangulate(args) => triangulate::run(&args, out),
-            Self::Navmesh(args) => navmesh::run(&args, out),
-            Self::Delaunay(args) => delaunay::run(&args, out),
-            Self::Voronoi(args) => voronoi::run(&args, out),
-            Self::Figure(args) => figure::run(&args, out),
-            Self::Film(args) => film::run(&args, out),
-            Self::Script(args) => script::run(&args, out),
-            Self::Solid(args) => solid::run(&args, out),
-            Self::Lab(args) => lab::run(&args, out),
-            Self::Grade(args) => grade::run(&args, out),
-            Self::Gradebook(args) => gradebook::run(&args, out),
-            Self::Play(args) => play::run(&args, out),
-            Self::Sample(args) => sample::run(&args, out),
-            Self::Tour(args) => tour::run(&args, out),
-            Self::Figures(args) => figures::run(&args, out),
-            Self::Completions(args) => completions::run(&args, out),
-            Self::Man(args) => man::run(&args, out),
-        }
     }
 }
 
@@ -194,7 +164,7 @@ pub fn with_own_lab(folder: impl AsRef<Path>, judge: &'static dyn Judge) -> Exit
 }
 
 /// Runs a command; one that computes shows how far it is.
-fn run(command: Command, out: &mut Output) -> Result<Answer, Failure> {
+fn run(command: &Command, out: &mut Output) -> Result<Answer, Failure> {
     if command.computes() { waiting::shown(|| command.run(out)) } else { command.run(out) }
 }
 
@@ -220,7 +190,7 @@ fn answered() -> ExitCode {
     old.iter().for_each(|word| failure::say("note", word));
     let ready = if command.ends_in_order() { Ok(()) } else { signals::clean_up() };
     let ready = ready.map_err(|error| Failure::machine(format!("signals: {error}"), ""));
-    let answer = ready.and_then(|()| run(command, &mut out)).and_then(|answer| {
+    let answer = ready.and_then(|()| run(&command, &mut out)).and_then(|answer| {
         out.flush()?;
         Ok(answer)
     });

@@ -1,6 +1,6 @@
 //! `dcel locate`: where points lie.
 
-use super::answer::{InWords, tell};
+use super::answer::{fields, tell};
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
@@ -14,7 +14,7 @@ use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};
 use dcel_kit::{FaceId, VertexId};
 use serde::Serialize;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Find where points lie: on a vertex, on an edge, in a face
@@ -55,13 +55,7 @@ pub(crate) struct Args {
     input: InputOptions,
 }
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Report {
-    source: String,
-    points: Vec<Found>,
-}
-
+/// The answer for one point. The names are those of the JSON form.
 #[derive(Serialize)]
 struct Found {
     x: f64,
@@ -120,8 +114,17 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     }
     let line = |i: usize| Found::new(&subject, s, given[i], found[i], walks.as_ref().map(|walks| &walks[i]));
-    let report = Report { source: subject.source.clone(), points: (0..given.len()).map(line).collect() };
-    tell(&report, args.json, out)
+    let answer = fields! { source: &subject.source, points: (0..given.len()).map(line).collect::<Vec<_>>() };
+    tell(&answer, args.json, out, |out| {
+        for found in &answer.points {
+            writeln!(out, "{}  {}", point(&[found.x, found.y]), found.words())?;
+            if let Some(way) = &found.walk {
+                let faces = if way.faces.is_empty() { "along edges".to_owned() } else { way.faces.join(" ") };
+                writeln!(out, "  way: {faces}; {} looked at", counted(way.half_edges, "half-edge", "half-edges"))?;
+            }
+        }
+        Ok(())
+    })
 }
 
 impl Args {
@@ -189,19 +192,6 @@ impl Found {
             (kind, Some(name), _) => format!("{kind} {element} \"{name}\""),
             (kind, ..) => format!("{kind} {element}"),
         }
-    }
-}
-
-impl InWords for Report {
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        for found in &self.points {
-            writeln!(out, "{}  {}", point(&[found.x, found.y]), found.words())?;
-            if let Some(way) = &found.walk {
-                let faces = if way.faces.is_empty() { "along edges".to_owned() } else { way.faces.join(" ") };
-                writeln!(out, "  way: {faces}; {} looked at", counted(way.half_edges, "half-edge", "half-edges"))?;
-            }
-        }
-        Ok(())
     }
 }
 

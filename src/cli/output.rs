@@ -1,7 +1,7 @@
 //! The answer on standard output.
 
 use super::waiting::aside;
-use dcel_kit::io::Number;
+use dcel_kit::io::{Number, counted};
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
@@ -36,6 +36,12 @@ impl Write for Output {
 pub(crate) fn point(coordinates: &[f64]) -> String {
     let numbers: Vec<String> = coordinates.iter().map(|&x| Number(x).to_string()).collect();
     format!("({})", numbers.join(", "))
+}
+
+/// `8 vertices, 12 edges, 6 faces`.
+pub(crate) fn counts([vertices, edges, faces]: [usize; 3]) -> String {
+    let (vertices, edges) = (counted(vertices, "vertex", "vertices"), counted(edges, "edge", "edges"));
+    format!("{vertices}, {edges}, {}", counted(faces, "face", "faces"))
 }
 
 /// The words of a text in lines of at most `width` characters, longer words alone.

@@ -1,5 +1,6 @@
 //! `dcel overlay`: two subdivisions on each other.
 
+use super::answer::{fields, tell};
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
@@ -10,10 +11,9 @@ use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
-use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
+use dcel_kit::plane::{Operation, Overlay, Parts};
 use dcel_kit::{FaceId, FaceMap};
-use serde::Serialize;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Lay two subdivisions of the plane over each other
@@ -62,47 +62,6 @@ pub(crate) struct Args {
     crop: Crop,
     #[command(flatten)]
     input: InputOptions,
-}
-
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Report {
-    a: String,
-    b: String,
-    vertices: usize,
-    edges: usize,
-    faces: usize,
-    crossings: Vec<String>,
-    moved: Vec<Moved>,
-    /// The distance of neighbours of the grid, if points were rounded to one.
-    grid: Option<f64>,
-    /// Vertices of a and b that the grid moved.
-    displaced: Vec<Moved>,
-    /// No point of an edge is further from what it became.
-    farthest: f64,
-    rounds: u32,
-    unsettled: Vec<String>,
-    /// The bounded faces.
-    labels: Vec<Labels>,
-    region: Option<Region>,
-}
-
-#[derive(Serialize)]
-struct Labels {
-    face: String,
-    a: String,
-    b: String,
-}
-
-#[derive(Serialize)]
-struct Region {
-    operation: &'static str,
-    vertices: usize,
-    edges: usize,
-    /// Those of the region: neither the outer face nor hole faces.
-    faces: usize,
-    hole_faces: usize,
-    area: f64,
 }
 
 /// Where the answer goes.
@@ -161,13 +120,54 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if matches!(goal, Goal::Text) {
         return Ok(Answer::Yes);
     }
-    let report = Report::of(&a, &b, &both, region.as_ref());
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(out)?;
-    }
-    Ok(Answer::Yes)
+    let s = &both.subdivision;
+    let label =
+        |f: FaceId| fields! { face: f.to_string(), a: both.face_of_a[f].to_string(), b: both.face_of_b[f].to_string() };
+    let labels = s.faces().filter(|&f| f != s.outer_face()).map(label);
+    let answer = fields! {
+        a: &a.source,
+        b: &b.source,
+        vertices: s.vertex_count(),
+        edges: s.edge_count(),
+        faces: s.face_count(),
+        crossings: both.crossings.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        moved: Moved::all(&both.moved),
+        // The distance of neighbours of the grid, if points were rounded to one.
+        grid: both.grid,
+        // Vertices of a and b that the grid moved.
+        displaced: Moved::all(&both.displaced),
+        // No point of an edge is further from what it became.
+        farthest: both.farthest,
+        rounds: both.rounds,
+        unsettled: both.unsettled.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        // The bounded faces.
+        labels: labels.collect::<Vec<_>>(),
+        region: region.as_ref().map(|(operation, region)| fields! {
+            operation: operation.name(),
+            vertices: region.vertex_count(),
+            edges: region.edge_count(),
+            // Those of the region: neither the outer face nor hole faces.
+            faces: region.face_count() - 1 - region.hole_faces().count(),
+            hole_faces: region.hole_faces().count(),
+            area: region.domain_area(),
+        }),
+    };
+    tell(&answer, args.json, out, |out| {
+        writeln!(out, "{} over {}", answer.a, answer.b)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", format!("{} ({} where edges cross)", answer.vertices, answer.crossings.len()))?;
+        line("edges", answer.edges.to_string())?;
+        line("faces", format!("{} (with the outer face)", answer.faces))?;
+        if let Some(region) = &answer.region {
+            let faces = counted(region.faces, "face", "faces");
+            line(region.operation, format!("{faces}, area {}", Number(region.area)))?;
+            if region.hole_faces > 0 {
+                line("hole faces", region.hole_faces.to_string())?;
+            }
+            return Ok(());
+        }
+        answer.labels.iter().try_for_each(|of| line(&of.face, format!("{} of a, {} of b", of.a, of.b)))
+    })
 }
 
 impl Args {
@@ -217,63 +217,6 @@ fn tell_rounding(both: &Overlay) {
     }
     if let Some(grid) = both.grid {
         say("note", on_grid(grid, &both.displaced, both.farthest));
-    }
-}
-
-impl Report {
-    fn of(a: &Subject, b: &Subject, both: &Overlay, region: Option<&(Operation, Subdivision)>) -> Self {
-        let s = &both.subdivision;
-        let bounded = s.faces().filter(|&f| f != s.outer_face());
-        let labels = bounded.map(|f| Labels {
-            face: f.to_string(),
-            a: both.face_of_a[f].to_string(),
-            b: both.face_of_b[f].to_string(),
-        });
-        Self {
-            a: a.source.clone(),
-            b: b.source.clone(),
-            vertices: s.vertex_count(),
-            edges: s.edge_count(),
-            faces: s.face_count(),
-            crossings: both.crossings.iter().map(ToString::to_string).collect(),
-            moved: Moved::all(&both.moved),
-            grid: both.grid,
-            displaced: Moved::all(&both.displaced),
-            farthest: both.farthest,
-            rounds: both.rounds,
-            unsettled: both.unsettled.iter().map(ToString::to_string).collect(),
-            labels: labels.collect(),
-            region: region.map(|(operation, region)| Region {
-                operation: operation.name(),
-                vertices: region.vertex_count(),
-                edges: region.edge_count(),
-                faces: region.face_count() - 1 - region.hole_faces().count(),
-                hole_faces: region.hole_faces().count(),
-                area: region.domain_area(),
-            }),
-        }
-    }
-
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{} over {}", self.a, self.b)?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        line("vertices", format!("{} ({} where edges cross)", self.vertices, self.crossings.len()))?;
-        line("edges", self.edges.to_string())?;
-        line("faces", format!("{} (with the outer face)", self.faces))?;
-        if let Some(region) = &self.region {
-            line(
-                region.operation,
-                format!("{}, area {}", counted(region.faces, "face", "faces"), Number(region.area)),
-            )?;
-            if region.hole_faces > 0 {
-                line("hole faces", region.hole_faces.to_string())?;
-            }
-            return Ok(());
-        }
-        for labels in &self.labels {
-            line(&labels.face, format!("{} of a, {} of b", labels.a, labels.b))?;
-        }
-        Ok(())
     }
 }
 

@@ -126,6 +126,12 @@ impl Target {
     }
 }
 
+/// What figures of a file are called: by its name without the ending, or by another one if it is standard input.
+pub(crate) fn title(file: &Path, unnamed: &str) -> String {
+    let stem = file.file_stem().filter(|stem| *stem != "-");
+    stem.map_or_else(|| unnamed.to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
 /// Whether a name asks for a page.
 pub(crate) fn is_page(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ["html", "htm"].iter().any(|page| ending.eq_ignore_ascii_case(page)))

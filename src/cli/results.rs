@@ -1,6 +1,6 @@
 //! What a command that makes a structure of the plane does with it: writes it, draws it, tells of it.
 
-use super::answer::{InWords, tell};
+use super::answer::tell;
 use super::failure::say;
 use super::looks::{Crop, Page};
 use super::picture::Target;
@@ -8,6 +8,7 @@ use super::save::{Files, InPlace, save};
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::Model;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Where the results go.
@@ -75,11 +76,17 @@ impl Results {
         target.write(&drawn, out)
     }
 
-    /// Writes the structure, if asked to, and answers with the report, unless the structure is the answer.
-    pub(crate) fn finish(&self, model: &Model<'_>, report: &impl InWords, out: &mut Output) -> Result<Answer, Failure> {
+    /// Writes the structure, if asked to, and tells what was found, unless the structure is the answer.
+    pub(crate) fn finish(
+        &self,
+        model: &Model<'_>,
+        answer: &impl serde::Serialize,
+        out: &mut Output,
+        print: impl FnOnce(&mut Output) -> io::Result<()>,
+    ) -> Result<Answer, Failure> {
         if let Some(path) = &self.output {
             save(path, model, out)?;
         }
-        if self.is_text() { Ok(Answer::Yes) } else { tell(report, self.json, out) }
+        if self.is_text() { Ok(Answer::Yes) } else { tell(answer, self.json, out, print) }
     }
 }

@@ -8,7 +8,7 @@
 
 use super::film::put_frames;
 use super::looks::{Crop, Page};
-use super::picture::Target;
+use super::picture::{Target, title};
 use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::edits::{self, Call, Editable};
@@ -130,11 +130,9 @@ fn shoot<G: Dump + Filmed>(
     // Told when the film is written: a command that fails says nothing else.
     let mut told = Vec::new();
     let played = play(args, script, source, |step, structure| film.watch(step, structure), &mut told)?;
-    let stem = args.file.file_stem().filter(|stem| *stem != "-");
-    let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let film = film.finish();
     let film = if args.ends { film.ends() } else { film };
-    write_film(target, &film, &title, args, out)?;
+    write_film(target, &film, &title(&args.file, "script"), args, out)?;
     out.write_all(&told)?;
     played.put(out)
 }

@@ -1,6 +1,6 @@
 //! `dcel triangulate`: faces into triangles, or into monotone pieces.
 
-use super::answer::InWords;
+use super::answer::fields;
 use super::choice::{Choice, one_of};
 use super::failure::Failure;
 use super::input::InputOptions;
@@ -11,8 +11,7 @@ use dcel_kit::FaceId;
 use dcel_kit::figure;
 use dcel_kit::io::counted;
 use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
-use serde::Serialize;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Cut the faces of a subdivision into triangles
@@ -60,21 +59,6 @@ static METHODS: &[Choice<TriangulationMethod>] = &[
     ),
 ];
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Report {
-    source: String,
-    format: &'static str,
-    method: &'static str,
-    faces_cut: usize,
-    pieces: usize,
-    diagonals: usize,
-    vertices: usize,
-    edges: usize,
-    faces: usize,
-    hole_faces: usize,
-}
-
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.results.check(&args.file)?;
     let mut subject = args.input.open_as(&args.file, false)?;
@@ -84,11 +68,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(what, "--plane drops z: good for a terrain seen from above"));
     };
     let before = subdivision.clone();
-    let (chosen, added) = cut(args, subdivision).map_err(|error| {
-        let what = error.to_string();
-        let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
-        Failure::input(format!("{source}: {what}"), help)
-    })?;
+    let refused = |error| Failure::helped(format_args!("{source}: "), error);
+    let (chosen, added) = cut(args, subdivision).map_err(refused)?;
     let after = subdivision.clone();
     for &(new, old) in &added.new_faces {
         if let Some(name) = subject.name(old).map(str::to_owned) {
@@ -99,7 +80,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         figure::triangulation(&before, &after, &added.diagonals, &options)
             .map_err(|error| Failure::about(&source, error))
     })?;
-    let report = Report {
+    let answer = fields! {
         source,
         format: subject.format.name(),
         method: match METHODS.iter().find(|(.., method)| !args.pieces && *method == args.method) {
@@ -114,7 +95,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         faces: after.face_count(),
         hole_faces: after.hole_faces().count(),
     };
-    args.results.finish(&subject.model(), &report, out)
+    args.results.finish(&subject.model(), &answer, out, |out| {
+        writeln!(out, "{}: plane, {}, by {}", answer.source, answer.format, answer.method)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        let [one, many] = if args.pieces { ["monotone piece", "monotone pieces"] } else { ["triangle", "triangles"] };
+        let faces = if chosen == 1 { "face" } else { "faces" };
+        line("cut", format!("{chosen} {faces} into {}", counted(answer.pieces, one, many)))?;
+        line("diagonals", answer.diagonals.to_string())?;
+        line("vertices", answer.vertices.to_string())?;
+        line("edges", answer.edges.to_string())?;
+        line("faces", format!("{} (with the outer face)", answer.faces))?;
+        if answer.hole_faces > 0 {
+            line("hole faces", answer.hole_faces.to_string())?;
+        }
+        Ok(())
+    })
 }
 
 /// Cuts what is asked for; returns the number of faces it was, too.
@@ -137,26 +132,4 @@ fn cut(args: &Args, s: &mut Subdivision) -> Result<(usize, Triangulated), dcel_k
         None => s.triangulate(method)?,
     };
     Ok((faces.len(), added))
-}
-
-impl InWords for Report {
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: plane, {}, by {}", self.source, self.format, self.method)?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        let [one, many] = if self.method == "monotone pieces" {
-            ["monotone piece", "monotone pieces"]
-        } else {
-            ["triangle", "triangles"]
-        };
-        let faces = if self.faces_cut == 1 { "face" } else { "faces" };
-        line("cut", format!("{} {faces} into {}", self.faces_cut, counted(self.pieces, one, many)))?;
-        line("diagonals", self.diagonals.to_string())?;
-        line("vertices", self.vertices.to_string())?;
-        line("edges", self.edges.to_string())?;
-        line("faces", format!("{} (with the outer face)", self.faces))?;
-        if self.hole_faces > 0 {
-            line("hole faces", self.hole_faces.to_string())?;
-        }
-        Ok(())
-    }
 }

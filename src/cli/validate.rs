@@ -1,6 +1,6 @@
 //! `dcel validate`: which invariants does a structure break?
 
-use super::answer::{InWords, fields, tell};
+use super::answer::{fields, tell};
 use super::failure::say;
 use super::input::{InputOptions, Opened};
 use super::subject::{Kind, Subject};
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Opened::Subject(subject) => Report::of(&subject),
         Opened::Misfit(error) => Report::misfit(source_name(file), &error),
     };
-    tell(&report, args.json, out)?;
+    tell(&report, args.json, out, |out| report.print(out))?;
     Ok(if report.valid { Answer::Yes } else { Answer::No })
 }
 
@@ -104,9 +104,7 @@ impl Report {
         let fault = Fault { rule, text, elements, chain: Vec::new(), found: None, expected: None };
         Self { source, mode: None, valid: false, violations: vec![fault], unchecked: Vec::new() }
     }
-}
 
-impl InWords for Report {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         for Fault { rule, text, .. } in &self.violations {
             writeln!(out, "{rule}: {text}")?;

@@ -1,16 +1,14 @@
 //! `dcel voronoi`: the cells of nearest sites.
 
-use super::answer::InWords;
-use super::delaunay::Repeated;
+use super::answer::fields;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::results::Results;
 use super::{Answer, Output};
 use dcel_kit::figure;
 use dcel_kit::io::{Model, PointList, counted, read_points};
-use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, Voronoi, VoronoiCells, VoronoiError, Window};
-use serde::Serialize;
-use std::io::{self, Write};
+use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, VoronoiError, Window};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Make the Voronoi diagram of points
@@ -43,33 +41,6 @@ pub(crate) struct Args {
     input: InputOptions,
 }
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Report {
-    source: String,
-    points: usize,
-    repeated: Vec<Repeated>,
-    sites: usize,
-    corners: usize,
-    edges: usize,
-    unbounded_edges: usize,
-    #[serde(rename = "box")]
-    window: [f64; 4],
-    vertices_in_box: usize,
-    edges_in_box: usize,
-    /// Faces that rounding had made, joined to cells.
-    slivers: usize,
-    cells: Vec<Cell>,
-}
-
-#[derive(Serialize)]
-struct Cell {
-    site: String,
-    x: f64,
-    y: f64,
-    face: String,
-}
-
 /// What the cells of a diagram take at their making for each site: measured on 10^5 of them.
 const BYTES_PER_SITE: usize = 1_300;
 
@@ -93,11 +64,43 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         };
         drawn.map_err(|error| Failure::about(&list.source, error))
     })?;
-    let report = Report::of(&list, &built, &voronoi, &cells, &window);
+    let (sites, made) = (&built.subdivision, &cells.subdivision);
+    let cell = |v| {
+        let Point { x, y } = sites.point(v);
+        fields! { site: v.to_string(), x, y, face: cells.cells[v].map_or_else(String::new, |f| f.to_string()) }
+    };
+    let [left, bottom, right, top] = [window.low.x, window.low.y, window.high.x, window.high.y];
+    let answer = fields! {
+        source: list.source.clone(),
+        points: list.points.len(),
+        // Points by number, from 0.
+        repeated: built.repeated.iter().map(|(point, repeats)| fields! { point, repeats }).collect::<Vec<_>>(),
+        sites: sites.vertex_count(),
+        corners: voronoi.corners().len(),
+        edges: voronoi.edges().len(),
+        unbounded_edges: voronoi.edges().iter().filter(|edge| edge.ends.contains(&None)).count(),
+        #[serde(rename = "box")]
+        window: [left, bottom, right, top],
+        vertices_in_box: made.vertex_count(),
+        edges_in_box: made.edge_count(),
+        // Faces that rounding had made, joined to cells.
+        slivers: cells.slivers,
+        cells: sites.vertices().map(cell).collect::<Vec<_>>(),
+    };
     if cells.slivers > 0 {
         say("note", format_args!("faces that rounding had made and that were joined to cells: {}", cells.slivers));
     }
-    args.results.finish(&Model::planar(&cells.subdivision), &report, out)
+    args.results.finish(&Model::planar(made), &answer, out, |out| {
+        writeln!(out, "{}: {}", answer.source, counted(answer.points, "point", "points"))?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("sites", answer.sites.to_string())?;
+        line("corners", answer.corners.to_string())?;
+        line("edges", format!("{}, {} of them unbounded", answer.edges, answer.unbounded_edges))?;
+        line("box", format!("({left}, {bottom}) to ({right}, {top})"))?;
+        let vertices = counted(answer.vertices_in_box, "vertex", "vertices");
+        line("in the box", format!("{vertices}, {}", counted(answer.edges_in_box, "edge", "edges")))?;
+        line("cells", answer.cells.len().to_string())
+    })
 }
 
 /// The failure with the line of the site it speaks of.
@@ -107,56 +110,4 @@ fn refused(list: &PointList, built: &DelaunayBuilt, error: &VoronoiError) -> Fai
     };
     let point = built.vertices.iter().position(|v| v == site);
     Failure::about(list.place(point.unwrap_or(usize::MAX)), error)
-}
-
-impl Report {
-    fn of(
-        list: &PointList,
-        built: &DelaunayBuilt,
-        voronoi: &Voronoi<'_>,
-        made: &VoronoiCells,
-        window: &Window,
-    ) -> Self {
-        let sites = &built.subdivision;
-        let cell = |v| {
-            let Point { x, y } = sites.point(v);
-            let face = made.cells[v].map_or_else(String::new, |f| f.to_string());
-            Cell { site: v.to_string(), x, y, face }
-        };
-        Self {
-            source: list.source.clone(),
-            points: list.points.len(),
-            repeated: Repeated::all(&built.repeated),
-            sites: sites.vertex_count(),
-            corners: voronoi.corners().len(),
-            edges: voronoi.edges().len(),
-            unbounded_edges: voronoi.edges().iter().filter(|edge| edge.ends.contains(&None)).count(),
-            window: [window.low.x, window.low.y, window.high.x, window.high.y],
-            vertices_in_box: made.subdivision.vertex_count(),
-            edges_in_box: made.subdivision.edge_count(),
-            slivers: made.slivers,
-            cells: sites.vertices().map(cell).collect(),
-        }
-    }
-}
-
-impl InWords for Report {
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: {}", self.source, counted(self.points, "point", "points"))?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        line("sites", self.sites.to_string())?;
-        line("corners", self.corners.to_string())?;
-        line("edges", format!("{}, {} of them unbounded", self.edges, self.unbounded_edges))?;
-        let [left, bottom, right, top] = self.window;
-        line("box", format!("({left}, {bottom}) to ({right}, {top})"))?;
-        line(
-            "in the box",
-            format!(
-                "{}, {}",
-                counted(self.vertices_in_box, "vertex", "vertices"),
-                counted(self.edges_in_box, "edge", "edges")
-            ),
-        )?;
-        line("cells", self.cells.len().to_string())
-    }
 }

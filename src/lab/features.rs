@@ -29,6 +29,21 @@ macro_rules! features {
     };
 }
 
+/// The parts of a [`Judge`](crate::judge::Judge) that say what holds of calls, by the module that declares the
+/// [`features!`](crate::features) of the lab: its `of` says which of them hold of a call, and of the calls before it.
+#[macro_export]
+macro_rules! features_of {
+    ($module:ident) => {
+        fn vocabulary(&self) -> &'static [$crate::judge::Feature] {
+            $module::VOCABULARY
+        }
+
+        fn features(&self, earlier: &[&$crate::fault::Exchange], exchange: &$crate::fault::Exchange) -> Option<u128> {
+            $module::of(earlier, exchange)
+        }
+    };
+}
+
 /// A set of features.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FeatureSet(u128);

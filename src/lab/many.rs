@@ -24,6 +24,21 @@ pub struct Large {
     pub letter: char,
 }
 
+/// A call that made more reads than it may: of what the structure is, and what would do.
+#[must_use]
+pub fn too_many_reads(
+    test: &'static str,
+    step: usize,
+    (call, reads): (&str, u64),
+    (structure, size, records): (&str, usize, &str),
+    enough: &str,
+) -> Fault {
+    let (reads, size) = (grouped(reads), grouped(size as u64));
+    let of = format!("{structure} of {size} {records}");
+    let words = format!("{call} looks at everything: {reads} reads in a {of}, where {enough} would do");
+    Fault::new(test, FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)
+}
+
 /// What is wrong with the answers to many questions in a large structure.
 pub fn judge(test: &'static str, large: &Large, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
     answered(case, answer).filter_map(|(step, asked, reply)| fault(test, large, step, asked, reply)).collect()

@@ -3,6 +3,8 @@
 use super::fault::{Fault, FaultKind, answered};
 use super::protocol::{Called, Case, CaseAnswer, Reply, Step};
 use dcel_kit::compare::{Options, compare};
+use dcel_kit::plane::Point;
+use std::fmt::Write;
 
 /// What is wrong with a picture, compared with a reference that has the coordinates which the handout asks for.
 ///
@@ -38,4 +40,58 @@ pub fn judge_case(test: &'static str, case: &Case, answer: &CaseAnswer, referenc
 pub fn told_apart(test: &'static str, case: &Case, answer: &CaseAnswer, reference: impl Fn() -> String) -> Vec<Fault> {
     let faults = judge_case(test, case, answer, reference).into_iter();
     faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect()
+}
+
+/// A plain drawing to compare with. Its y points up.
+pub struct Plain(String);
+
+impl Plain {
+    /// An empty one that shows this part of the plane: left, top (with y pointing down), width and height.
+    #[must_use]
+    pub fn new(part: &str) -> Self {
+        Self(format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{part}\">\n"))
+    }
+
+    /// A face by its corners.
+    pub fn face(&mut self, corners: impl IntoIterator<Item: Into<Point>>) {
+        self.polygon(corners, "fill=\"#dddddd\"");
+    }
+
+    /// A closed line without a face.
+    pub fn ring(&mut self, corners: impl IntoIterator<Item: Into<Point>>) {
+        self.polygon(corners, "fill=\"none\" stroke=\"#3a86c8\"");
+    }
+
+    fn polygon(&mut self, corners: impl IntoIterator<Item: Into<Point>>, look: &str) {
+        let corner = |Point { x, y }| format!("{x},{}", 0.0 - y);
+        let corners: Vec<String> = corners.into_iter().map(Into::into).map(corner).collect();
+        let _ = writeln!(self.0, "<polygon points=\"{}\" {look}/>", corners.join(" "));
+    }
+
+    /// An edge by its ends.
+    pub fn edge(&mut self, from: impl Into<Point>, to: impl Into<Point>) {
+        self.line(from.into(), to.into(), "");
+    }
+
+    /// An edge that is seen on both sides of another line that crosses or touches it.
+    pub fn wide_edge(&mut self, from: impl Into<Point>, to: impl Into<Point>) {
+        self.line(from.into(), to.into(), " stroke-width=\"2\"");
+    }
+
+    fn line(&mut self, Point { x: x1, y: y1 }: Point, Point { x: x2, y: y2 }: Point, width: &str) {
+        let (y1, y2) = (0.0 - y1, 0.0 - y2);
+        let _ = writeln!(self.0, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"{width}/>");
+    }
+
+    /// A vertex.
+    pub fn vertex(&mut self, at: impl Into<Point>) {
+        let Point { x, y } = at.into();
+        let _ = writeln!(self.0, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
+    }
+
+    /// The drawing.
+    #[must_use]
+    pub fn svg(self) -> String {
+        self.0 + "</svg>\n"
+    }
 }

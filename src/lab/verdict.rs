@@ -3,73 +3,74 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// What came of a graded test, or of a whole submission. The order is from best to worst news for its author.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// Every case was answered completely and rightly.
-    Passed,
-    /// The student's code says `todo!()` there.
-    Unattempted,
-    /// A test that this one builds on did not pass.
-    Skipped,
-    /// The program ran and a promise was broken.
-    Wrong,
-    /// The answers are right, but the code looks at everything where a few records would do.
-    TooSlow,
-    /// A panic in the student's code, a stack overflow, an abort.
-    Crashed,
-    /// A call read far more records than there are: a walk that never comes back to where it began.
-    DoesNotComeBack,
-    /// The deadline passed before the answer was complete.
-    TimedOut,
-    /// The memory limit was reached.
-    OutOfMemory,
-    /// The file holds a construct that the lab forbids.
-    Refused,
-    /// The compiler rejects the file.
-    DoesNotCompile,
-    /// The grader or the machine failed; never the student's loss.
-    #[default]
-    GraderFault,
+/// An enumeration whose values have a name each: the type, all values in their order, and the name of each.
+macro_rules! named {
+    (
+        $(#[$meta:meta])* pub enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
+        $(#[$about_all:meta])* const ALL;
+        $(#[$about_name:meta])* fn $of:ident;
+    ) => {
+        $(#[$meta])*
+        pub enum $type {
+            $($(#[$about])* $value,)+
+        }
+
+        impl $type {
+            $(#[$about_all])*
+            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
+
+            $(#[$about_name])*
+            #[must_use]
+            pub fn $of(self) -> &'static str {
+                match self {
+                    $(Self::$value => $name,)+
+                }
+            }
+        }
+    };
+}
+#[cfg(feature = "grade")]
+pub(crate) use named;
+
+named! {
+    /// What came of a graded test, or of a whole submission. The order is from best to worst news for its author.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Verdict {
+        /// Every case was answered completely and rightly.
+        Passed = "passed",
+        /// The student's code says `todo!()` there.
+        Unattempted = "unattempted",
+        /// A test that this one builds on did not pass.
+        Skipped = "skipped",
+        /// The program ran and a promise was broken.
+        Wrong = "wrong",
+        /// The answers are right, but the code looks at everything where a few records would do.
+        TooSlow = "too slow: looks at everything",
+        /// A panic in the student's code, a stack overflow, an abort.
+        Crashed = "crashed",
+        /// A call read far more records than there are: a walk that never comes back to where it began.
+        DoesNotComeBack = "walk does not come back",
+        /// The deadline passed before the answer was complete.
+        TimedOut = "timed out",
+        /// The memory limit was reached.
+        OutOfMemory = "out of memory",
+        /// The file holds a construct that the lab forbids.
+        Refused = "refused",
+        /// The compiler rejects the file.
+        DoesNotCompile = "does not compile",
+        /// The grader or the machine failed; never the student's loss.
+        #[default]
+        GraderFault = "grader fault",
+    }
+
+    /// All verdicts, in their order.
+    const ALL;
+    /// The verdict in words, as reports print it.
+    fn word;
 }
 
 impl Verdict {
-    /// All verdicts, in their order.
-    pub const ALL: [Self; 12] = [
-        Self::Passed,
-        Self::Unattempted,
-        Self::Skipped,
-        Self::Wrong,
-        Self::TooSlow,
-        Self::Crashed,
-        Self::DoesNotComeBack,
-        Self::TimedOut,
-        Self::OutOfMemory,
-        Self::Refused,
-        Self::DoesNotCompile,
-        Self::GraderFault,
-    ];
-
-    /// The verdict in words, as reports print it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Passed => "passed",
-            Self::Unattempted => "unattempted",
-            Self::Skipped => "skipped",
-            Self::Wrong => "wrong",
-            Self::TooSlow => "too slow: looks at everything",
-            Self::Crashed => "crashed",
-            Self::DoesNotComeBack => "walk does not come back",
-            Self::TimedOut => "timed out",
-            Self::OutOfMemory => "out of memory",
-            Self::Refused => "refused",
-            Self::DoesNotCompile => "does not compile",
-            Self::GraderFault => "grader fault",
-        }
-    }
-
     /// What the student should do next, as a sentence.
     #[must_use]
     pub fn next_action(self) -> &'static str {

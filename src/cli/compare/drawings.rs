@@ -1,6 +1,7 @@
 //! Two drawings.
 
-use super::{Args, Line, Report};
+use super::Args;
+use crate::answer::fields;
 use crate::failure::say;
 use crate::picture::Target;
 use crate::{Answer, Failure, Output};
@@ -34,7 +35,18 @@ pub(super) fn run(args: &Args, target: Option<&Target>, out: &mut Output) -> Res
         draw(target, &answer, out)?;
     }
     if args.json {
-        out.json(&report(args, &answer))?;
+        let line =
+            |d: &compare::Difference| fields! { kind: d.kind.word(), layer: d.layer.word(), text: d.text.clone() };
+        out.json(&fields! {
+            reference: source_name(&args.reference),
+            student: source_name(&args.student),
+            equal: answer.is_equal(),
+            // What decided: bytes, declared, drawn or shape.
+            layer: answer.layer().word(),
+            agreed: answer.agreed(),
+            differences: answer.differences().iter().map(line).collect::<Vec<_>>(),
+            notes: answer.notes(),
+        })?;
     } else {
         write!(out, "{}", answer.text())?;
     }
@@ -57,20 +69,6 @@ fn read(file: &Path) -> Result<Vec<u8>, Failure> {
     };
     length.map_err(unreadable)?;
     Ok(bytes)
-}
-
-fn report<'a>(args: &Args, answer: &'a Comparison) -> Report<'a> {
-    let line =
-        |d: &'a compare::Difference| Line { kind: d.kind.word(), layer: d.layer.word(), text: d.text.as_str().into() };
-    Report {
-        reference: source_name(&args.reference),
-        student: source_name(&args.student),
-        equal: answer.is_equal(),
-        layer: answer.layer().word(),
-        agreed: answer.agreed(),
-        differences: answer.differences().iter().map(line).collect(),
-        notes: answer.notes(),
-    }
 }
 
 fn draw(target: &Target, answer: &Comparison, out: &mut Output) -> Result<(), Failure> {

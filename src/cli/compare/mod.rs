@@ -14,7 +14,6 @@ use super::{Answer, Failure, Output};
 use crate::looks::{Crop, Page};
 use crate::picture::Target;
 use dcel_kit::io::Format;
-use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -184,24 +183,4 @@ fn refuse(flags: &[(&str, bool)], why: &str) -> Result<(), Failure> {
         Some((flag, _)) => Err(Failure::input(format!("{flag} cannot be used: {why}"), format!("leave {flag} out"))),
         None => Ok(()),
     }
-}
-
-/// The answer. The names are those of the JSON form.
-#[derive(serde::Serialize)]
-struct Report<'a> {
-    reference: String,
-    student: String,
-    equal: bool,
-    /// What decided. Of drawings: bytes, declared, drawn, shape; of structures: structure.
-    layer: &'static str,
-    agreed: &'a str,
-    differences: Vec<Line<'a>>,
-    notes: &'a [String],
-}
-
-#[derive(serde::Serialize)]
-struct Line<'a> {
-    kind: &'static str,
-    layer: &'static str,
-    text: Cow<'a, str>,
 }

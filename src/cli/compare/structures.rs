@@ -5,7 +5,8 @@
 //!   which are in one of the two only                            the first difference, if these agree
 //! ```
 
-use super::{Args, Line, Report};
+use super::Args;
+use crate::answer::fields;
 use crate::output::point;
 use crate::subject::Subject;
 use crate::{Answer, Failure, Output};
@@ -29,14 +30,15 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let found = differences(args, &mine, &expected);
     let agreed = if found.is_empty() { counts(&expected) } else { String::new() };
     if args.json {
-        out.json(&Report {
-            reference: expected.source.clone(),
-            student: mine.source.clone(),
+        let line = |of: &Found| fields! { kind: of.kind, layer: "structure", text: of.text.clone() };
+        out.json(&fields! {
+            reference: &expected.source,
+            student: &mine.source,
             equal: found.is_empty(),
             layer: "structure",
             agreed: &agreed,
-            differences: found.iter().map(Found::line).collect(),
-            notes: &[],
+            differences: found.iter().map(line).collect::<Vec<_>>(),
+            notes: [(); 0],
         })?;
     } else if found.is_empty() {
         let what = match (args.built.no_positions, args.built.ids) {
@@ -60,21 +62,13 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 fn counts(subject: &Subject) -> String {
     let edges = half_edges(subject.view()).count() / 2;
-    let (vertices, faces) = (subject.vertices().count(), subject.faces().count());
-    [counted(vertices, "vertex", "vertices"), counted(edges, "edge", "edges"), counted(faces, "face", "faces")]
-        .join(", ")
+    crate::output::counts([subject.vertices().count(), edges, subject.faces().count()])
 }
 
 /// A difference, and what it is about.
 struct Found {
     kind: &'static str,
     text: String,
-}
-
-impl Found {
-    fn line(&self) -> Line<'_> {
-        Line { kind: self.kind, layer: "structure", text: self.text.as_str().into() }
-    }
 }
 
 fn differences(args: &Args, mine: &Subject, expected: &Subject) -> Vec<Found> {

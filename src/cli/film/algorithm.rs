@@ -2,45 +2,42 @@
 
 use super::About;
 use crate::Failure;
-use crate::choice::Choice;
+use clap::ValueEnum;
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Algorithm {
-    CatmullClark,
-    Climb,
-    Cones,
-    Ears,
-    Flips,
-    Funnel,
-    Hull,
-    Locate,
-    Monotone,
-    SolidHull,
-    Sweep,
-    Voronoi,
+    /// A walk round a face (--face) or a vertex (--vertex), half-edge by half-edge
     Walk,
+    /// A walk from a vertex to a point (--start, --point), face by face
+    Locate,
+    /// Ear clipping of all faces, corner by corner
+    Ears,
+    /// Triangulation by monotone pieces: the sweep, then the pieces
+    Monotone,
+    /// Lawson's flips of a triangulation, until it is Delaunay
+    Flips,
+    /// The Voronoi diagram of points as the dual of their Delaunay triangulation
+    Voronoi,
+    /// The convex hull of points, from left to right and back
+    Hull,
+    /// The sweep that finds where segments cross
+    Sweep,
+    /// The funnel through the corridor of a path on a map (--from, --to)
+    Funnel,
+    /// The cones of the exact search for a path on a map (--from, --to)
+    Cones,
+    /// Hill climbing over a convex solid (--direction, --start)
+    Climb,
+    /// The convex hull of points in space, point by point
+    SolidHull,
+    /// Catmull–Clark subdivision of a surface (--steps)
+    CatmullClark,
 }
-
-pub(super) static ALGORITHMS: &[Choice<Algorithm>] = &[
-    ("walk", "A walk round a face (--face) or a vertex (--vertex), half-edge by half-edge", Algorithm::Walk),
-    ("locate", "A walk from a vertex to a point (--start, --point), face by face", Algorithm::Locate),
-    ("ears", "Ear clipping of all faces, corner by corner", Algorithm::Ears),
-    ("monotone", "Triangulation by monotone pieces: the sweep, then the pieces", Algorithm::Monotone),
-    ("flips", "Lawson's flips of a triangulation, until it is Delaunay", Algorithm::Flips),
-    ("voronoi", "The Voronoi diagram of points as the dual of their Delaunay triangulation", Algorithm::Voronoi),
-    ("hull", "The convex hull of points, from left to right and back", Algorithm::Hull),
-    ("sweep", "The sweep that finds where segments cross", Algorithm::Sweep),
-    ("funnel", "The funnel through the corridor of a path on a map (--from, --to)", Algorithm::Funnel),
-    ("cones", "The cones of the exact search for a path on a map (--from, --to)", Algorithm::Cones),
-    ("climb", "Hill climbing over a convex solid (--direction, --start)", Algorithm::Climb),
-    ("solid-hull", "The convex hull of points in space, point by point", Algorithm::SolidHull),
-    ("catmull-clark", "Catmull–Clark subdivision of a surface (--steps)", Algorithm::CatmullClark),
-];
 
 impl Algorithm {
     /// The word on the command line.
-    pub(super) fn word(self) -> &'static str {
-        ALGORITHMS.iter().find(|(_, _, algorithm)| *algorithm == self).map_or("", |(word, ..)| word)
+    pub(super) fn word(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
     }
 
     /// Whether it takes an option.
@@ -70,8 +67,8 @@ impl Algorithm {
             ("--steps", about.steps.is_some()),
         ];
         if let Some((option, _)) = given.iter().find(|(option, given)| *given && !self.takes(option)) {
-            let whose: Vec<&str> =
-                ALGORITHMS.iter().filter(|(_, _, other)| other.takes(option)).map(|(word, ..)| *word).collect();
+            let all = Self::value_variants().iter();
+            let whose: Vec<String> = all.filter(|other| other.takes(option)).map(|other| other.word()).collect();
             let what = format!("{option} is no option of the film {}", self.word());
             return Err(Failure::input(what, format!("it is for {}", whose.join(" and "))));
         }

@@ -8,14 +8,14 @@
 mod algorithm;
 mod make;
 
-use super::choice::{one_of, pair};
+use super::choice::pair;
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
-use super::picture::Target;
+use super::picture::{Target, title};
 use super::save::{Files, put};
 use super::{Answer, Failure, Output};
 use crate::solid::vector;
-use algorithm::{ALGORITHMS, Algorithm};
+use algorithm::Algorithm;
 use dcel_kit::figure::{Figure, FigureOptions, SketchFilm};
 use dcel_kit::{FaceId, VertexId};
 use std::io::Write;
@@ -56,7 +56,7 @@ Examples:
     -o round.svg")]
 pub(crate) struct Args {
     /// The algorithm
-    #[arg(value_name = "WHAT", value_parser = one_of(ALGORITHMS))]
+    #[arg(value_name = "WHAT")]
     what: Algorithm,
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
@@ -159,11 +159,7 @@ fn write<'a>(
     target: Option<&Target>,
     out: &mut Output,
 ) -> Result<Vec<(&'a Path, usize)>, Failure> {
-    let title = args
-        .file
-        .file_stem()
-        .filter(|stem| *stem != "-")
-        .map_or_else(|| "film".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let title = title(&args.file, "film");
     let dressed = |target: &Target| args.crop.apply_here(target.options(FigureOptions::new(&title)));
     let mut written = Vec::new();
     if let Some(dir) = &args.frames {

@@ -41,374 +41,218 @@ struct Reference {
     draw: fn() -> Made<String>,
 }
 
+/// Rows of figures: the file, how it is drawn, what it shows.
+macro_rules! references {
+    ($($file:literal => $draw:expr, $about:literal;)*) => {
+        &[$(Reference { file: $file, about: $about, draw: $draw }),*]
+    };
+}
+
 /// All reference figures, in the order of their files.
-static REFERENCES: &[Reference] = &[
-    Reference {
-        file: "cube.svg",
-        about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
-        draw: || structure(&lesson::cube()?, "A half-edge structure"),
-    },
-    Reference {
-        file: "figure-sizes.svg",
-        about: "how much a figure shows, and how many bytes it takes for each edge, as a grid grows",
-        draw: specimen::figure_sizes,
-    },
-    Reference {
-        file: "difference.svg",
-        about: "what a comparison shows: an edge is missing, one is too much, a pointer is wrong, a vertex is elsewhere",
-        draw: || {
-            let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
-            let options = FigureOptions::new("What differs").id_prefix("difference").width(450.0);
-            Ok(dcel_kit::compare::diff_figure(&right, &wrong, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "dual.svg",
-        about: "the dual graph over its subdivision: a point in each face, a line across each edge",
-        draw: plane::dual,
-    },
-    Reference {
-        file: "film-catmull-clark.svg",
-        about: "two steps of Catmull–Clark subdivision: vertices in faces, those of edges, those that move",
-        draw: films::catmull_clark,
-    },
-    Reference {
-        file: "film-climb.svg",
-        about: "hill climbing over a convex solid, seen so that the direction points up",
-        draw: films::climb,
-    },
-    Reference {
-        file: "film-ears.svg",
-        about: "ear clipping, corner by corner: why one is an ear, and why another is none",
-        draw: films::ears,
-    },
-    Reference {
-        file: "film-face-walk.svg",
-        about: "a walk round a face, half-edge by half-edge, along next",
-        draw: films::face_walk,
-    },
-    Reference {
-        file: "film-flips.svg",
-        about: "Lawson's flips: the circle that forces each of them, and the edge that takes its place",
-        draw: films::flips,
-    },
-    Reference {
-        file: "film-funnel.svg",
-        about: "the funnel through a corridor, portal by portal",
-        draw: films::funnel,
-    },
-    Reference {
-        file: "film-hull.svg",
-        about: "a convex hull from left to right and back: corners come, and go again",
-        draw: films::hull,
-    },
-    Reference {
-        file: "film-join-faces.svg",
-        about: "join_faces step by step: the inverse of split_face",
-        draw: || strip(sources::JOIN_FACES, "A film of join_faces", "join-faces"),
-    },
-    Reference {
-        file: "film-matching.svg",
-        about: "the half-edges of a list of faces find their twins, face by face; the border is left",
-        draw: labs::lab_05::film,
-    },
-    Reference {
-        file: "film-merge-faces.svg",
-        about: "edge by edge goes until one face is left: V - E + F stays 2",
-        draw: labs::lab_10::film,
-    },
-    Reference {
-        file: "film-pole.svg",
-        about: "a pole: a spur to a new vertex, then a face split for each further corner",
-        draw: labs::lab_09::film,
-    },
-    Reference {
-        file: "film-slip.svg",
-        about: "split_face beside the same with one pointer written wrongly, and what does not hold in the end",
-        draw: films::slip,
-    },
-    Reference { file: "film-locate.svg", about: "a walk to a point, face by face", draw: films::locate },
-    Reference {
-        file: "film-monotone.svg",
-        about: "a sweep that cuts a face into monotone pieces, and the triangles of these",
-        draw: films::monotone,
-    },
-    Reference {
-        file: "film-solid-hull.svg",
-        about: "a convex hull in space: what each point sees, the horizon, the new triangles",
-        draw: films::solid_hull,
-    },
-    Reference {
-        file: "film-split-face.svg",
-        about: "split_face step by step: what each step of the handout links",
-        draw: || strip(sources::SPLIT_FACE, "A film of split_face", "split"),
-    },
-    Reference {
-        file: "film-split-in-half.svg",
-        about: "split_in_half step by step",
-        draw: || strip(sources::SPLIT_IN_HALF, "A film of split_in_half", "split-in-half"),
-    },
-    Reference {
-        file: "film-sweep.svg",
-        about: "the sweep that finds where segments cross, event by event",
-        draw: films::sweep,
-    },
-    Reference {
-        file: "film-voronoi.svg",
-        about: "a Voronoi diagram as the dual of a Delaunay triangulation, cell by cell",
-        draw: films::voronoi,
-    },
-    Reference {
-        file: "focus.svg",
-        about: "one half-edge, its five pointers named, and its row of the table",
-        draw: || {
-            let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
-            Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "inset.svg",
-        about: "a face that is 250 times smaller than its neighbours, enlarged below",
-        draw: plane::inset,
-    },
-    Reference {
-        file: "interactive.svg",
-        about: "point at a half-edge, or write its name behind the address, to see its pointers",
-        draw: || {
-            let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
-            Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
-        },
-    },
-    Reference {
-        file: "lab-01-map.svg",
-        about: "the map of lab 01: the cells close to a line where doubles say the wrong side",
-        draw: labs::lab_01::map,
-    },
-    Reference {
-        file: "lab-02-triangulation.svg",
-        about: "the polygon of lab 02 in its only triangulation",
-        draw: labs::lab_02::triangulation,
-    },
-    Reference {
-        file: "lab-03-hull.svg",
-        about: "the picture that lab 03 asks for: a convex hull, and two tangents from a point",
-        draw: labs::lab_03::picture,
-    },
-    Reference {
-        file: "lab-03-ways.svg",
-        about: "three ways to a convex hull: gift wrapping, Graham's scan, merging two halves",
-        draw: labs::lab_03::three_ways,
-    },
-    Reference {
-        file: "lab-04-drawing.svg",
-        about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
-        draw: labs::lab_04::drawing,
-    },
-    Reference {
-        file: "lab-04-two-nexts.svg",
-        about: "an edge of two faces has two next edges; two half-edges have one each",
-        draw: labs::lab_04::two_nexts,
-    },
-    Reference {
-        file: "lab-05-matching.svg",
-        about: "a list of faces, each alone, and the half-edge structure that it becomes",
-        draw: labs::lab_05::matching,
-    },
-    Reference {
-        file: "lab-05-structure.svg",
-        about: "the list of faces of lab 05 as a half-edge structure",
-        draw: labs::lab_05::structure,
-    },
-    Reference {
-        file: "lab-06-corridor.svg",
-        about: "the picture of lab 06: a corridor of triangles from start to goal, and the shortest path in it",
-        draw: labs::lab_06::corridor,
-    },
-    Reference {
-        file: "lab-06-portals.svg",
-        about: "the portals of a corridor, each with its left and its right end",
-        draw: labs::lab_06::portals,
-    },
-    Reference {
-        file: "lab-07-circles.svg",
-        about: "the picture that lab 07 asks for: a Delaunay triangulation and the circles of its triangles",
-        draw: labs::lab_07::circles,
-    },
-    Reference {
-        file: "lab-07-flip.svg",
-        about: "a flip: the same records before and after it",
-        draw: labs::lab_07::flip,
-    },
-    Reference {
-        file: "lab-08-voronoi.svg",
-        about: "the picture that lab 08 asks for: the Voronoi diagram of twelve sites",
-        draw: labs::lab_08::picture,
-    },
-    Reference {
-        file: "lab-09-growth.svg",
-        about: "the picture that lab 09 asks for: a ring grows to cylinders, a cone and a sphere, and a torus beside them",
-        draw: labs::lab_09::growth,
-    },
-    Reference {
-        file: "lab-10-cube.svg",
-        about: "the picture that lab 10 asks for: a cube and its dual, the octahedron",
-        draw: labs::lab_10::cube,
-    },
-    Reference {
-        file: "lab-10-duals.svg",
-        about: "the regular solids and their duals: three pairs",
-        draw: labs::lab_10::duals,
-    },
-    Reference {
-        file: "lab-11-climb.svg",
-        about: "the picture of lab 11: a climb over a polyhedron to its highest vertex",
-        draw: labs::lab_11::climb,
-    },
-    Reference {
-        file: "lab-11-stuck.svg",
-        about: "where a climb ends: at the top, at a lower peak, on a plateau",
-        draw: labs::lab_11::stuck,
-    },
-    Reference { file: "lawson.svg", about: "a triangulation becomes Delaunay by flips", draw: delaunay::lawson },
-    Reference {
-        file: "lab-subdivision.svg",
-        about: "what the tour makes of the rectangle with split_face and split_in_half alone",
-        draw: || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
-    },
-    Reference {
-        file: "navmesh-ladder.svg",
-        about: "six paths through one map: how much longer each is than the shortest",
-        draw: specimen::ladder,
-    },
-    Reference {
-        file: "pointers.svg",
-        about: "the five families of pointers in the lab's subdivision, one panel each",
-        draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(408.0);
-            Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "primitives.svg",
-        about: "vertex split and face split: from these two, and two seeds, all shapes grow",
-        draw: primitives::figure,
-    },
-    Reference {
-        file: "records.svg",
-        about: "the records of a half-edge structure, their fields and what these refer to",
-        draw: || {
-            let options = FigureOptions::new("The records of a half-edge structure").id_prefix("records");
-            Ok(figure::records(&options).to_svg())
-        },
-    },
-    Reference {
-        file: "rectangle.svg",
-        about: "the six-vertex rectangle that the half-edge lab starts from",
-        draw: || structure(&Subdivision::lab_rectangle(), "The lab's rectangle"),
-    },
-    Reference {
-        file: "rings.svg",
-        about: "a face with two holes, an island in one of them, a second component",
-        draw: || {
-            let options = FigureOptions::new("Rings and holes").width(830.0);
-            Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "robustness.svg",
-        about: "where plain doubles tell the wrong side of a line",
-        draw: || {
-            let options = FigureOptions::new("Where doubles are wrong");
-            Ok(figure::robustness(&NearlyCollinear::default(), &options).to_svg())
-        },
-    },
-    Reference {
-        file: "rooms.svg",
-        about: "the rooms of the kit, and which uses which: read from the sources, so never older than they are",
-        draw: rooms::picture,
-    },
-    Reference {
-        file: "schlegel.svg",
-        about: "the dodecahedron seen through one of its faces, which is f0: a Schlegel diagram",
-        draw: || {
-            let seen = Polyhedron::platonic(Platonic::Dodecahedron).schlegel(FaceId::new(0))?;
-            let options = FigureOptions::new("A dodecahedron seen through a face").id_prefix("schlegel").width(720.0);
-            Ok(figure::structure(&seen.diagram, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "solid-torus.svg",
-        about: "a torus of 20 by 10 faces: those that are seen whole have half-edges, hidden lines are left out",
-        draw: || {
-            let torus = Shape::Torus { n: 20, m: 10 }.build()?.polyhedron;
-            let options = FigureOptions::new("A torus").id_prefix("torus").width(830.0);
-            Ok(figure::solid(&torus, &Camera::default(), HiddenLines::LeftOut, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "solid.svg",
-        about: "a dodecahedron: the half-edges of the faces that are seen, and the hidden edges dashed",
-        draw: || {
-            let solid = Polyhedron::platonic(Platonic::Dodecahedron);
-            let options = FigureOptions::new("A dodecahedron").id_prefix("solid").width(720.0);
-            Ok(figure::solid(&solid, &Camera::default(), HiddenLines::Dashed, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "states.svg",
-        about: "the states of the USA as one subdivision: 198 faces, 143 components",
-        draw: || {
-            let states = lesson::states()?;
-            // Room for names beside the small states of the east.
-            let options = FigureOptions::new("The states of the USA").width(830.0).reach([[1030.0, -300.0]]);
-            let options = options.face_names(states.named_faces());
-            Ok(figure::structure(&states.subdivision, &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "stepper-split-face.svg",
-        about: "the film of split_face one frame at a time, by links, without a script",
-        draw: || {
-            let script = Script::parse(sources::SPLIT_FACE, "split-face.dcels")?;
-            Ok(Film::of_script(&script)
-                .stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?
-                .to_svg())
-        },
-    },
-    Reference {
-        file: "tables.svg",
-        about: "the lab's subdivision beside its tables, one half-edge marked in both",
-        draw: || {
-            let options = FigureOptions::new("Tables of the lab's subdivision").id_prefix("tables");
-            Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
-        },
-    },
-    Reference {
-        file: "triangulation.svg",
-        about: "a face with a hole and a vertex inside: its monotone pieces, their triangles, and those of the ears",
-        draw: plane::triangulation,
-    },
-    Reference {
-        file: "vocabulary.svg",
-        about: "what other parts of the kit draw themselves with: one layout, six panels",
-        draw: specimen::vocabulary,
-    },
-    Reference {
-        file: "voronoi.svg",
-        about: "the Voronoi diagram of some sites, and its dual, their Delaunay triangulation",
-        draw: delaunay::voronoi,
-    },
-    Reference {
-        file: "walk.svg",
-        about: "a sketch over a structure: a straight walk from face to face",
-        draw: specimen::walk,
-    },
-    Reference {
-        file: "wrong-signs.svg",
-        about: "how many signs plain doubles get wrong near a line, over the size of the grid",
-        draw: specimen::wrong_signs,
-    },
-];
+static REFERENCES: &[Reference] = references! {
+    "cube.svg" => || structure(&lesson::cube()?, "A half-edge structure"),
+        "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted";
+    "figure-sizes.svg" => specimen::figure_sizes,
+        "how much a figure shows, and how many bytes it takes for each edge, as a grid grows";
+    "difference.svg" => difference,
+        "what a comparison shows: an edge is missing, one is too much, a pointer is wrong, a vertex is elsewhere";
+    "dual.svg" => plane::dual,
+        "the dual graph over its subdivision: a point in each face, a line across each edge";
+    "film-catmull-clark.svg" => films::catmull_clark,
+        "two steps of Catmull–Clark subdivision: vertices in faces, those of edges, those that move";
+    "film-climb.svg" => films::climb,
+        "hill climbing over a convex solid, seen so that the direction points up";
+    "film-ears.svg" => films::ears,
+        "ear clipping, corner by corner: why one is an ear, and why another is none";
+    "film-face-walk.svg" => films::face_walk,
+        "a walk round a face, half-edge by half-edge, along next";
+    "film-flips.svg" => films::flips,
+        "Lawson's flips: the circle that forces each of them, and the edge that takes its place";
+    "film-funnel.svg" => films::funnel,
+        "the funnel through a corridor, portal by portal";
+    "film-hull.svg" => films::hull,
+        "a convex hull from left to right and back: corners come, and go again";
+    "film-join-faces.svg" => || strip(sources::JOIN_FACES, "A film of join_faces", "join-faces"),
+        "join_faces step by step: the inverse of split_face";
+    "film-matching.svg" => labs::lab_05::film,
+        "the half-edges of a list of faces find their twins, face by face; the border is left";
+    "film-merge-faces.svg" => labs::lab_10::film,
+        "edge by edge goes until one face is left: V - E + F stays 2";
+    "film-pole.svg" => labs::lab_09::film,
+        "a pole: a spur to a new vertex, then a face split for each further corner";
+    "film-slip.svg" => films::slip,
+        "split_face beside the same with one pointer written wrongly, and what does not hold in the end";
+    "film-locate.svg" => films::locate,
+        "a walk to a point, face by face";
+    "film-monotone.svg" => films::monotone,
+        "a sweep that cuts a face into monotone pieces, and the triangles of these";
+    "film-solid-hull.svg" => films::solid_hull,
+        "a convex hull in space: what each point sees, the horizon, the new triangles";
+    "film-split-face.svg" => || strip(sources::SPLIT_FACE, "A film of split_face", "split"),
+        "split_face step by step: what each step of the handout links";
+    "film-split-in-half.svg" => || strip(sources::SPLIT_IN_HALF, "A film of split_in_half", "split-in-half"),
+        "split_in_half step by step";
+    "film-sweep.svg" => films::sweep,
+        "the sweep that finds where segments cross, event by event";
+    "film-voronoi.svg" => films::voronoi,
+        "a Voronoi diagram as the dual of a Delaunay triangulation, cell by cell";
+    "focus.svg" => focus,
+        "one half-edge, its five pointers named, and its row of the table";
+    "inset.svg" => plane::inset,
+        "a face that is 250 times smaller than its neighbours, enlarged below";
+    "interactive.svg" => interactive,
+        "point at a half-edge, or write its name behind the address, to see its pointers";
+    "lab-01-map.svg" => labs::lab_01::map,
+        "the map of lab 01: the cells close to a line where doubles say the wrong side";
+    "lab-02-triangulation.svg" => labs::lab_02::triangulation,
+        "the polygon of lab 02 in its only triangulation";
+    "lab-03-hull.svg" => labs::lab_03::picture,
+        "the picture that lab 03 asks for: a convex hull, and two tangents from a point";
+    "lab-03-ways.svg" => labs::lab_03::three_ways,
+        "three ways to a convex hull: gift wrapping, Graham's scan, merging two halves";
+    "lab-04-drawing.svg" => labs::lab_04::drawing,
+        "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone";
+    "lab-04-two-nexts.svg" => labs::lab_04::two_nexts,
+        "an edge of two faces has two next edges; two half-edges have one each";
+    "lab-05-matching.svg" => labs::lab_05::matching,
+        "a list of faces, each alone, and the half-edge structure that it becomes";
+    "lab-05-structure.svg" => labs::lab_05::structure,
+        "the list of faces of lab 05 as a half-edge structure";
+    "lab-06-corridor.svg" => labs::lab_06::corridor,
+        "the picture of lab 06: a corridor of triangles from start to goal, and the shortest path in it";
+    "lab-06-portals.svg" => labs::lab_06::portals,
+        "the portals of a corridor, each with its left and its right end";
+    "lab-07-circles.svg" => labs::lab_07::circles,
+        "the picture that lab 07 asks for: a Delaunay triangulation and the circles of its triangles";
+    "lab-07-flip.svg" => labs::lab_07::flip,
+        "a flip: the same records before and after it";
+    "lab-08-voronoi.svg" => labs::lab_08::picture,
+        "the picture that lab 08 asks for: the Voronoi diagram of twelve sites";
+    "lab-09-growth.svg" => labs::lab_09::growth,
+        "the picture that lab 09 asks for: a ring grows to cylinders, a cone and a sphere, and a torus beside them";
+    "lab-10-cube.svg" => labs::lab_10::cube,
+        "the picture that lab 10 asks for: a cube and its dual, the octahedron";
+    "lab-10-duals.svg" => labs::lab_10::duals,
+        "the regular solids and their duals: three pairs";
+    "lab-11-climb.svg" => labs::lab_11::climb,
+        "the picture of lab 11: a climb over a polyhedron to its highest vertex";
+    "lab-11-stuck.svg" => labs::lab_11::stuck,
+        "where a climb ends: at the top, at a lower peak, on a plateau";
+    "lawson.svg" => delaunay::lawson,
+        "a triangulation becomes Delaunay by flips";
+    "lab-subdivision.svg" => || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
+        "what the tour makes of the rectangle with split_face and split_in_half alone";
+    "navmesh-ladder.svg" => specimen::ladder,
+        "six paths through one map: how much longer each is than the shortest";
+    "pointers.svg" => pointers,
+        "the five families of pointers in the lab's subdivision, one panel each";
+    "primitives.svg" => primitives::figure,
+        "vertex split and face split: from these two, and two seeds, all shapes grow";
+    "records.svg" => records,
+        "the records of a half-edge structure, their fields and what these refer to";
+    "rectangle.svg" => || structure(&Subdivision::lab_rectangle(), "The lab's rectangle"),
+        "the six-vertex rectangle that the half-edge lab starts from";
+    "rings.svg" => rings,
+        "a face with two holes, an island in one of them, a second component";
+    "robustness.svg" => robustness,
+        "where plain doubles tell the wrong side of a line";
+    "rooms.svg" => rooms::picture,
+        "the rooms of the kit, and which uses which: read from the sources, so never older than they are";
+    "schlegel.svg" => schlegel,
+        "the dodecahedron seen through one of its faces, which is f0: a Schlegel diagram";
+    "solid-torus.svg" => solid_torus,
+        "a torus of 20 by 10 faces: those that are seen whole have half-edges, hidden lines are left out";
+    "solid.svg" => solid,
+        "a dodecahedron: the half-edges of the faces that are seen, and the hidden edges dashed";
+    "states.svg" => states,
+        "the states of the USA as one subdivision: 198 faces, 143 components";
+    "stepper-split-face.svg" => stepper_split_face,
+        "the film of split_face one frame at a time, by links, without a script";
+    "tables.svg" => tables,
+        "the lab's subdivision beside its tables, one half-edge marked in both";
+    "triangulation.svg" => plane::triangulation,
+        "a face with a hole and a vertex inside: its monotone pieces, their triangles, and those of the ears";
+    "vocabulary.svg" => specimen::vocabulary,
+        "what other parts of the kit draw themselves with: one layout, six panels";
+    "voronoi.svg" => delaunay::voronoi,
+        "the Voronoi diagram of some sites, and its dual, their Delaunay triangulation";
+    "walk.svg" => specimen::walk,
+        "a sketch over a structure: a straight walk from face to face";
+    "wrong-signs.svg" => specimen::wrong_signs,
+        "how many signs plain doubles get wrong near a line, over the size of the grid";
+};
+
+fn difference() -> Made<String> {
+    let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
+    let options = FigureOptions::new("What differs").id_prefix("difference").width(450.0);
+    Ok(dcel_kit::compare::diff_figure(&right, &wrong, &options)?.to_svg())
+}
+
+fn focus() -> Made<String> {
+    let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
+    Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
+}
+
+fn interactive() -> Made<String> {
+    let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
+    Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
+}
+
+fn pointers() -> Made<String> {
+    let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(408.0);
+    Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
+}
+
+fn records() -> Made<String> {
+    let options = FigureOptions::new("The records of a half-edge structure").id_prefix("records");
+    Ok(figure::records(&options).to_svg())
+}
+
+fn rings() -> Made<String> {
+    let options = FigureOptions::new("Rings and holes").width(830.0);
+    Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
+}
+
+fn robustness() -> Made<String> {
+    let options = FigureOptions::new("Where doubles are wrong");
+    Ok(figure::robustness(&NearlyCollinear::default(), &options).to_svg())
+}
+
+fn schlegel() -> Made<String> {
+    let seen = Polyhedron::platonic(Platonic::Dodecahedron).schlegel(FaceId::new(0))?;
+    let options = FigureOptions::new("A dodecahedron seen through a face").id_prefix("schlegel").width(720.0);
+    Ok(figure::structure(&seen.diagram, &options)?.to_svg())
+}
+
+fn solid_torus() -> Made<String> {
+    let torus = Shape::Torus { n: 20, m: 10 }.build()?.polyhedron;
+    let options = FigureOptions::new("A torus").id_prefix("torus").width(830.0);
+    Ok(figure::solid(&torus, &Camera::default(), HiddenLines::LeftOut, &options)?.to_svg())
+}
+
+fn solid() -> Made<String> {
+    let solid = Polyhedron::platonic(Platonic::Dodecahedron);
+    let options = FigureOptions::new("A dodecahedron").id_prefix("solid").width(720.0);
+    Ok(figure::solid(&solid, &Camera::default(), HiddenLines::Dashed, &options)?.to_svg())
+}
+
+fn states() -> Made<String> {
+    let states = lesson::states()?;
+    // Room for names beside the small states of the east.
+    let options = FigureOptions::new("The states of the USA").width(830.0).reach([[1030.0, -300.0]]);
+    let options = options.face_names(states.named_faces());
+    Ok(figure::structure(&states.subdivision, &options)?.to_svg())
+}
+
+fn stepper_split_face() -> Made<String> {
+    let script = Script::parse(sources::SPLIT_FACE, "split-face.dcels")?;
+    Ok(Film::of_script(&script).stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?.to_svg())
+}
+
+fn tables() -> Made<String> {
+    let options = FigureOptions::new("Tables of the lab's subdivision").id_prefix("tables");
+    Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
+}
 
 fn strip(script: &str, title: &str, prefix: &str) -> Made<String> {
     let script = Script::parse(script, title)?;

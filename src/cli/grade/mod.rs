@@ -24,6 +24,7 @@ mod signals;
 mod targets;
 mod terms;
 
+use super::input::text_of;
 use super::{Answer, Failure, Output, failure};
 use class::{Class, KEPT};
 use dcel_kit::files::ScratchFolder;
@@ -361,8 +362,7 @@ fn hidden(args: &Args, terms: &Terms) -> Vec<Hidden> {
 }
 
 fn secret(file: &Path, lab: &Lab) -> Result<Secret, Failure> {
-    let text = fs::read_to_string(file)
-        .map_err(|error| Failure::input(format!("{}: {error}", file.display()), "name a file with `seed = NUMBER`"))?;
+    let text = text_of(file, "name a file with `seed = NUMBER`")?;
     let weighted = lab.judge().map_or(&[][..], |judge| judge.weighted());
     Secret::parse(&text, &file.display().to_string(), weighted)
         .map_err(|error| Failure::input(error, "see `dcel help grade`; a line `seed = NUMBER` is enough"))
@@ -393,8 +393,7 @@ pub(super) fn stored(place: &Path) -> Result<Vec<Report>, Failure> {
 const STORED: &str = "name a file that `--report json=FILE` wrote, or a folder that `--results DIR` wrote";
 
 fn stored_file(file: &Path) -> Result<Vec<Report>, Failure> {
-    let text =
-        fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), STORED))?;
+    let text = text_of(file, STORED)?;
     let one = |text: &str| serde_json::from_str::<Report>(text).map(|report| vec![report]);
     let reports = if text.trim_start().starts_with('[') { serde_json::from_str(&text) } else { one(&text) };
     reports.map_err(|error| Failure::input(format!("{}: {error}", file.display()), STORED))

@@ -3,7 +3,7 @@
 use super::super::{Failure, Output, save};
 use dcel_kit::files::{WholeFile, is_same_file};
 use dcel_lab::Report;
-use dcel_lab::reports::Format;
+use dcel_lab::reports::{Format, OneAtATime};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -61,7 +61,7 @@ impl Target {
                 return Err(Failure::input(format!("{}: two reports go there", target.file), "name two files"));
             }
             if reports != 1 && !target.is_one_each() && !target.format.holds_a_class() {
-                return Err(one_at_a_time(dcel_lab::reports::OneAtATime(target.format)));
+                return Err(Failure::helped("", OneAtATime(target.format)));
             }
             if target.is_standard_output() {
                 continue;
@@ -90,7 +90,7 @@ impl Target {
     pub(super) fn write(&self, reports: &[Report], out: &mut Output) -> Result<(), Failure> {
         let text = match reports {
             [report] => self.format.one(report),
-            _ => self.format.class(reports).map_err(one_at_a_time)?,
+            _ => self.format.class(reports).map_err(|error| Failure::helped("", error))?,
         };
         self.put(&self.file, &text, out)
     }
@@ -106,12 +106,6 @@ impl Target {
         }
         put(Path::new(file), text)
     }
-}
-
-fn one_at_a_time(error: dcel_lab::reports::OneAtATime) -> Failure {
-    let what = error.to_string();
-    let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
-    Failure::input(what, help)
 }
 
 /// Writes a file whole, and makes its folder if it is not there.

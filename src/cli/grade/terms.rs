@@ -5,8 +5,9 @@
 //! ```
 
 use super::super::Failure;
+use super::super::input::text_of;
+use super::Args;
 use super::lists::{Lists, Resolved};
-use super::{Args, fs};
 use dcel_lab::course::{Course, CourseLab};
 use dcel_lab::{HandedIn, Lab, Points, Report, Secret, Submission};
 use std::path::{Path, PathBuf};
@@ -113,8 +114,7 @@ pub(crate) fn course(file: &Path) -> Result<Course, Failure> {
 
 /// The metadata of Gradescope.
 fn metadata(file: &Path, lab: &CourseLab) -> Result<HandedIn, Failure> {
-    let text = fs::read_to_string(file)
-        .map_err(|error| Failure::input(format!("{}: {error}", file.display()), "name submission_metadata.json"))?;
+    let text = text_of(file, "name submission_metadata.json")?;
     lab.by_gradescope(&text).map_err(|what| {
         let what = format!("{}: {what}", file.display());
         Failure::input(what, "name the submission_metadata.json that Gradescope wrote")

@@ -1,10 +1,10 @@
 //! The student's folder on disk.
 
 use super::super::Failure;
+use super::super::input::text_of;
 use super::super::save::put_folder;
 use dcel_lab::{Kit, LabFiles, Packed, student_files, vendored};
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Makes a folder with these files. One that exists must be empty: nothing is ever written over. The folder is there
@@ -44,6 +44,5 @@ pub(super) fn find(named: Option<&Path>) -> Result<PathBuf, Failure> {
 
 /// The text of a file in it.
 pub(super) fn read(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path)
-        .map_err(|error| Failure::input(format!("{}: {error}", path.display()), "is the folder complete?"))
+    text_of(path, "is the folder complete?")
 }

@@ -1,8 +1,9 @@
 //! `dcel lab list`: which labs there are, and what each asks for.
 
+use super::super::answer::fields;
 use super::super::{Answer, Failure, Output, output};
 use super::lab;
-use dcel_lab::{Lab, LabFiles, Points, Test};
+use dcel_lab::{Lab, LabFiles, Task, Test};
 use serde::Serialize;
 use std::io::Write;
 
@@ -23,50 +24,22 @@ pub(crate) struct Args {
 }
 
 /// A lab. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Listed {
-    name: String,
-    title: String,
-    points: Points,
-    tasks: Vec<TaskListed>,
-}
-
-#[derive(Serialize)]
-struct TaskListed {
-    number: u32,
-    title: String,
-    tests: Vec<TestListed>,
-}
-
-#[derive(Serialize)]
-struct TestListed {
-    name: String,
-    title: String,
-    points: Points,
-}
-
-impl Listed {
-    fn of(lab: Lab) -> Self {
-        let Lab { name, manifest, .. } = lab;
-        let tests = |task: u32| {
-            let tests = manifest.tests.iter().filter(|test| test.task == task);
-            let listed =
-                |test: &Test| TestListed { name: test.name.clone(), title: test.title.clone(), points: test.points };
-            tests.map(listed).collect()
-        };
-        let tasks = manifest.tasks.iter();
-        let tasks = tasks.map(|t| TaskListed { number: t.number, title: t.title.clone(), tests: tests(t.number) });
-        Self { name, title: manifest.title.clone(), points: manifest.max_points(), tasks: tasks.collect() }
-    }
+fn listed(Lab { name, manifest, .. }: &Lab) -> impl Serialize + use<> {
+    let test = |test: &Test| fields! { name: test.name.clone(), title: test.title.clone(), points: test.points };
+    let tests = |task: u32| manifest.tests.iter().filter(move |test| test.task == task).map(test);
+    let task =
+        |t: &Task| fields! { number: t.number, title: t.title.clone(), tests: tests(t.number).collect::<Vec<_>>() };
+    let tasks: Vec<_> = manifest.tasks.iter().map(task).collect();
+    fields! { name: name.clone(), title: manifest.title.clone(), points: manifest.max_points(), tasks }
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.json {
         match &args.lab {
-            Some(name) => out.json(&Listed::of(lab(name)?))?,
+            Some(name) => out.json(&listed(&lab(name)?))?,
             None => {
                 let names = LabFiles::known_names();
-                let all = names.iter().map(|name| lab(name).map(Listed::of));
+                let all = names.iter().map(|name| lab(name).map(|lab| listed(&lab)));
                 out.json(&all.collect::<Result<Vec<_>, _>>()?)?;
             }
         }

@@ -33,6 +33,7 @@ mod watch;
 pub use kit::program_sources;
 pub(crate) use own::known_mistakes;
 
+use super::choice::commands;
 use super::{Answer, Failure, Output};
 
 /// Do a lab, or set one; alone, it says how far you are in the course
@@ -51,46 +52,29 @@ pub(crate) struct Args {
     command: Option<Command>,
 }
 
-#[derive(clap::Subcommand, Debug)]
-enum Command {
-    List(list::Args),
-    Start(start::Args),
-    Check(check::Args),
-    Watch(watch::Args),
-    Hint(hint::Args),
-    Idea(idea::Args),
-    Reset(reset::Args),
-    Verify(verify::Args),
-    New(new::Args),
-    Export(export::Args),
+commands! {
+    List list,
+    Start start,
+    Check check,
+    Watch watch,
+    Hint hint,
+    Idea idea,
+    Reset reset,
+    Verify verify,
+    New new,
+    Export export,
     #[command(hide = true)]
-    Bundle(bundle::Args),
+    Bundle bundle,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let Some(command) = &args.command else { return progress::run(out) };
-    match command {
-        Command::List(args) => list::run(args, out),
-        Command::Start(args) => start::run(args, out),
-        Command::Check(args) => check::run(args, out),
-        Command::Watch(args) => watch::run(args, out),
-        Command::Verify(args) => verify::run(args, out),
-        Command::New(args) => new::run(args, out),
-        Command::Hint(args) => hint::run(args, out),
-        Command::Idea(args) => idea::run(args, out),
-        Command::Reset(args) => reset::run(args, out),
-        Command::Export(args) => export::run(args, out),
-        Command::Bundle(args) => bundle::run(args, out),
-    }
+    command.run(out)
 }
 
 /// The lab of that name, or which ones there are.
 fn bundled(name: &str) -> Result<dcel_lab::LabFiles, Failure> {
-    dcel_lab::LabFiles::bundled(name).map_err(|error| {
-        let what = error.to_string();
-        let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
-        Failure::input(what, help)
-    })
+    dcel_lab::LabFiles::bundled(name).map_err(|error| Failure::helped("", error))
 }
 
 /// A lab that is compiled in, ready to grade.

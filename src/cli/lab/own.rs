@@ -1,5 +1,6 @@
 //! `dcel lab check --own`: the student's own cases against their code, and against the known mistakes.
 
+use super::super::input::text_of;
 use super::super::{Answer, Failure, Output};
 use super::{folder, verify};
 use dcel_kit::files::ScratchFolder;
@@ -10,10 +11,9 @@ use std::path::Path;
 /// Runs the cases of the folder `dir`. With the folder of the labs, which has the solutions, it says what they catch.
 pub(super) fn check(lab: &Lab, dir: &Path, labs: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
     let file = dir.join(OWN_CASES);
-    let text = std::fs::read_to_string(&file).map_err(|error| {
-        let help = "write it: a line `case NAME`, a start, a call, and below it `expect ANSWER`; README.md of labs/ tells more";
-        Failure::input(format!("{}: {error}", file.display()), help)
-    })?;
+    let help =
+        "write it: a line `case NAME`, a start, a call, and below it `expect ANSWER`; README.md of labs/ tells more";
+    let text = text_of(&file, help)?;
     let cases = OwnCases::parse(&text, &file.display().to_string()).map_err(|error| Failure::input(error, ""))?;
     if cases.is_empty() {
         let help = "write a line `case NAME`, a start, a call, and below it `expect ANSWER`";

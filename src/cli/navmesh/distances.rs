@@ -88,7 +88,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         None => Planner::new().linked_distance_field(layers, &links, &Stop { layer: 0, place }, limit),
     };
-    let fields = fields.map_err(|error| Failure::input(format!("{}: {error}", map.source), ""))?;
+    let fields = fields.map_err(|error| Failure::about(&map.source, error))?;
     let [field] = &fields[..] else { return Err(Failure::kit("one layer has one field")) };
     if let Some(target) = &target {
         let options = target.options(&map, &format!("Distances in {}", args.map.title()));

@@ -1,5 +1,6 @@
 //! `dcel navmesh locate`: where points lie.
 
+use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
@@ -40,24 +41,6 @@ pub(super) struct Args {
     json: bool,
 }
 
-/// The answer for one point. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Found {
-    #[serde(flatten)]
-    spot: Spot,
-    /// The faces that have the point.
-    faces: Vec<String>,
-    component: Option<u32>,
-    dead_end: bool,
-    /// Whether it is on the mesh, and nobody may stand there.
-    blocked: bool,
-    /// Where one can stand instead, if not there.
-    nearest: Option<[f64; 2]>,
-    distance: Option<f64>,
-    #[serde(skip)]
-    words: String,
-}
-
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.xyz && !args.coordinates.len().is_multiple_of(3) {
         let what = format!("{} are no points", counted(args.coordinates.len(), "number", "numbers"));
@@ -82,19 +65,19 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(what, "give x and y of each point, and leave --xyz out"));
     }
     let map = args.map.open_draft(draft, &[])?;
-    let found: Vec<Found> = args.coordinates.chunks_exact(2).map(|p| locate(&map, [p[0], p[1]])).collect();
+    let found = args.coordinates.chunks_exact(2).map(|p| locate(&map, [p[0], p[1]]));
+    let (found, rows): (Vec<_>, Vec<_>) = found.unzip();
     if args.json {
         out.json(&found)?;
     } else {
-        let rows: Vec<[String; 2]> =
-            found.iter().map(|f| [super::super::output::point(&f.spot.point), f.words.clone()]).collect();
         writeln!(out, "{}:", map.source)?;
         table(out, &rows)?;
     }
     Ok(Answer::Yes)
 }
 
-fn locate(map: &Map, coordinates: [f64; 2]) -> Found {
+/// The answer for one point, and the point with the words for it.
+fn locate(map: &Map, coordinates: [f64; 2]) -> (impl Serialize + use<>, [String; 2]) {
     let p = map.point(coordinates);
     let mesh = &map.mesh;
     let location = mesh.locate(p);
@@ -129,14 +112,20 @@ fn locate(map: &Map, coordinates: [f64; 2]) -> Found {
     if let Some(nearest) = &nearest {
         words += &format!("; the nearest place is {} in {}", point(map, nearest.place.point), nearest.place.face);
     }
-    Found {
-        spot: Spot::of(map, p, location),
-        faces: faces.iter().map(ToString::to_string).collect(),
+    let spot = Spot::of(map, p, location);
+    let row = [super::super::output::point(&spot.point), words];
+    let found = fields! {
+        #[serde(flatten)]
+        spot,
+        // The faces that have the point.
+        faces: faces.iter().map(ToString::to_string).collect::<Vec<_>>(),
         component: component.map(|c| c.0),
         dead_end,
+        // Whether it is on the mesh, and nobody may stand there.
         blocked,
+        // Where one can stand instead, if not there.
         nearest: nearest.map(|n| map.in_file(n.place.point)),
         distance: nearest.map(|n| n.distance),
-        words,
-    }
+    };
+    (found, row)
 }

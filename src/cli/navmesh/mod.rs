@@ -19,6 +19,7 @@
 //!   numbers.rs    Numbers of the command line, and numbers that messages propose
 //!   obstacles.rs  Walls and obstacles of the command line, put into a map before anything is asked of it
 //!   reading.rs    From a file to a map with its navmesh
+//!   routes.rs     Paths as they are told
 //!   tell.rs       Words and JSON forms that several commands have in common
 //! ```
 
@@ -39,12 +40,14 @@ mod path;
 mod random;
 mod raycast;
 mod reading;
+mod routes;
 mod scenario;
 mod space;
 mod tell;
 
 pub(crate) use film::{PathFilm, path_film};
 
+use super::choice::commands;
 use super::{Answer, Failure, Output};
 
 /// Find paths on a map: neighbours, corridors, the exact shortest path
@@ -64,27 +67,17 @@ pub(crate) struct Args {
     command: Command,
 }
 
-#[derive(clap::Subcommand, Debug)]
-enum Command {
-    Info(info::Args),
-    Locate(locate::Args),
-    Neighbours(neighbours::Args),
-    Path(Box<path::Args>),
-    Distances(Box<distances::Args>),
-    Random(random::Args),
-    Raycast(Box<raycast::Args>),
-    Scenario(scenario::Args),
+commands! {
+    Info info,
+    Locate locate,
+    Neighbours neighbours,
+    Path path,
+    Distances distances,
+    Random random,
+    Raycast raycast,
+    Scenario scenario,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    match &args.command {
-        Command::Info(args) => info::run(args, out),
-        Command::Locate(args) => locate::run(args, out),
-        Command::Neighbours(args) => neighbours::run(args, out),
-        Command::Path(args) => path::run(args, out),
-        Command::Distances(args) => distances::run(args, out),
-        Command::Random(args) => random::run(args, out),
-        Command::Raycast(args) => raycast::run(args, out),
-        Command::Scenario(args) => scenario::run(args, out),
-    }
+    args.command.run(out)
 }

@@ -72,7 +72,7 @@ impl ObstacleArgs {
                 areas.partition_point(|area| area.total_cmp(&cost).is_lt()) as u32
             }),
         };
-        let mut live = live.map_err(|error: NavMeshError| Failure::input(format!("{source}: {error}"), ""))?;
+        let mut live = live.map_err(|error: NavMeshError| Failure::about(source, error))?;
         let given = self.wall.iter().map(|corners| ("--wall", corners));
         for (flag, Corners { points, text }) in given.chain(self.obstacle.iter().map(|corners| ("--obstacle", corners)))
         {

@@ -1,7 +1,7 @@
 //! `dcel navmesh path`: a way by one path algorithm, or by all of them.
 
-use super::super::failure::{Failure, say};
-use super::super::output::table;
+use super::super::answer::fields;
+use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish};
@@ -9,6 +9,7 @@ use super::extras::Extras;
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
+use super::routes::{Row, answer, choose, tell};
 use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
@@ -148,47 +149,21 @@ enum Draw {
     Cones,
 }
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Answered {
-    source: String,
-    /// The radius of the agent, if it has one.
-    radius: Option<f64>,
-    start: Spot,
-    goal: Spot,
-    /// How far the start was moved to stand on the mesh, and the goal.
-    start_moved: Option<f64>,
-    goal_moved: Option<f64>,
-    found: bool,
-    /// If nothing was found: the components of the start and of the goal, and the nearest point that can be reached.
-    apart: Option<Unreachable>,
-    routes: Vec<Row>,
-}
+impl Args {
+    /// The one algorithm of a path over links.
+    pub(super) fn over_links(&self) -> Result<PathAlgorithm, Failure> {
+        let &[algorithm] = self.algorithm.algorithms() else {
+            let what = "--link cannot be used with --algorithm all";
+            return Err(Failure::input(what, "choose one algorithm, for example exact"));
+        };
+        Ok(algorithm)
+    }
 
-#[derive(Serialize)]
-struct Unreachable {
-    start_component: u32,
-    start_faces: usize,
-    goal_component: u32,
-    goal_faces: usize,
-    nearest_reachable: Option<[f64; 2]>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    algorithm: &'static str,
-    length: f64,
-    /// With the costs of areas, if there are any.
-    cost: Option<f64>,
-    /// How much longer than the exact way, if that was asked for.
-    ratio: Option<f64>,
-    points: Vec<[f64; 2]>,
-    corners: Vec<String>,
-    faces: Vec<String>,
-    portals: Vec<String>,
-    pops: u64,
-    pushes: u64,
-    expansions: u64,
+    /// Refuses costs where an algorithm counts something else.
+    pub(super) fn check_costs(&self) -> Result<(), Failure> {
+        let mut all = self.algorithm.algorithms().iter();
+        all.try_for_each(|&algorithm| self.extras.check(algorithm, &self.algorithm.word()))
+    }
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
@@ -222,7 +197,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset_within(radius, args.tolerance);
-            Some(inset.map_err(|error| Failure::input(format!("{}: {error}", whole.source), ""))?)
+            Some(inset.map_err(|error| Failure::about(&whole.source, error))?)
         }
         None => None,
     };
@@ -240,9 +215,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut planner = args.preparation.planner();
     let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
     let moved = ends.map(|end| end.moved);
-    for &algorithm in args.algorithm.algorithms() {
-        args.extras.check(algorithm, &args.algorithm.word())?;
-    }
+    args.check_costs()?;
     let costs = map.costs(args.extras.areas())?;
     let links = args.extras.links().links(map)?;
     if !links.is_empty() {
@@ -259,7 +232,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             Err(RouteError::Unreachable { start: from, goal: to, .. }) => {
                 return apart(args, &maps, ([start, goal], moved), [from, to], target.as_ref(), out);
             }
-            Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
+            Err(error) => return Err(Failure::about(&map.source, error)),
         }
     }
     if let Some(target) = &target {
@@ -267,13 +240,11 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
     let rows: Vec<Row> =
-        routes.iter().map(|(algorithm, route)| Row::of(map, *algorithm, route, exact, costs.as_ref())).collect();
+        routes.iter().map(|(algorithm, route)| row(map, *algorithm, route, exact, costs.as_ref())).collect();
     if args.json {
-        out.json(&Answered::of(&maps, [start, goal], moved, rows))?;
-    } else if let [row] = rows.as_slice() {
-        row.print(out)?;
+        out.json(&maps.answer([start, goal], moved, None::<()>, &rows))?;
     } else {
-        compare(&rows, out)?;
+        tell(&rows, out)?;
     }
     Ok(Answer::Yes)
 }
@@ -288,12 +259,7 @@ fn linked(
     target: Option<&Canvas>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    let &[algorithm] = args.algorithm.algorithms() else {
-        return Err(Failure::input(
-            "--link cannot be used with --algorithm all",
-            "choose one algorithm, for example exact",
-        ));
-    };
+    let algorithm = args.over_links()?;
     let (answer, path) = super::linked::run(map, planner, algorithm, (links, costs), ends, args.json, out)?;
     if let Some((target, path)) = target.zip(path) {
         let options = target.options(map, &format!("A path over links through {}", args.map.title()));
@@ -332,25 +298,22 @@ impl Maps {
     /// Of several places at the ends those of the shortest path. Tells which.
     fn choose(&self, planner: &mut Planner, wishes: &[Wish<'_>; 2], ends: &[End; 2]) -> [QueryPoint; 2] {
         let map = self.ways();
-        let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
-        if starts.len() == 1 && goals.len() == 1 {
-            return [starts[0], goals[0]];
-        }
-        let found = planner.route_among(&map.mesh, PathAlgorithm::Exact, starts, goals);
-        let [i, k] = found.map_or([0, 0], |(_, chosen)| chosen);
-        for ((wish, end), chosen) in wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1) {
-            let what = wish.what;
-            let others: Vec<String> = end.places.iter().map(|place| place.face.to_string()).collect();
-            let (at, face) = (point(map, end.asked), end.places[chosen].face);
-            say(
-                "note",
-                format_args!(
-                    "the {what} {at} is on several sides of a border, in {}: the shortest path is that of {face}; --{what}-face chooses",
-                    others.join(", ")
-                ),
-            );
-        }
-        [starts[i], goals[k]]
+        let [start, goal] = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
+        let (starts, goals) = (start.2, goal.2);
+        let shortest = || Some(planner.route_among(&map.mesh, PathAlgorithm::Exact, starts, goals).ok()?.1);
+        choose(&[start, goal], "on several sides of a border", |place| place.face, shortest)
+    }
+
+    /// The answer with these routes, or with what lies apart.
+    fn answer(
+        &self,
+        ends: [QueryPoint; 2],
+        moved: [Option<f64>; 2],
+        apart: Option<impl Serialize>,
+        routes: &[Row],
+    ) -> impl Serialize {
+        let ends = ends.map(|place| Spot::of(self.ways(), place.point, place.location));
+        answer(&self.ways().source, Some(self.inset.as_ref().map(Inset::radius)), ends, moved, apart, routes)
     }
 }
 
@@ -376,17 +339,6 @@ fn refuse(
     }
     let [start, goal] = ends.map(|end| end.err().map(|lost| lost.failure));
     start.or(goal).unwrap_or_else(|| Failure::kit("both ends have a place"))
-}
-
-impl Answered {
-    /// The answer with these routes; there may be none.
-    fn of(maps: &Maps, ends: [QueryPoint; 2], [start_moved, goal_moved]: [Option<f64>; 2], routes: Vec<Row>) -> Self {
-        let map = maps.ways();
-        let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
-        let radius = maps.inset.as_ref().map(Inset::radius);
-        let (source, found) = (map.source.clone(), !routes.is_empty());
-        Self { source, radius, start, goal, start_moved, goal_moved, found, apart: None, routes }
-    }
 }
 
 fn draw(
@@ -435,14 +387,15 @@ fn apart(
     let [start_faces, goal_faces] = components.map(|c| map.mesh.component_faces(c).count());
     let nearest = map.mesh.nearest_reachable(components[0], ends[1].point);
     if args.json {
-        let apart = Unreachable {
+        // The components of the start and of the goal, and the nearest point that can be reached.
+        let apart = fields! {
             start_component: components[0].0,
             start_faces,
             goal_component: components[1].0,
             goal_faces,
             nearest_reachable: nearest.map(|nearest| map.in_file(nearest.place.point)),
         };
-        out.json(&Answered { apart: Some(apart), ..Answered::of(maps, ends, moved, Vec::new()) })?;
+        out.json(&maps.answer(ends, moved, Some(apart), &[]))?;
         return Ok(Answer::No);
     }
     let [from, to] = ends.map(|place| point(map, place.point));
@@ -457,61 +410,11 @@ fn apart(
     Ok(Answer::No)
 }
 
-impl Row {
-    fn of(
-        map: &Map,
-        algorithm: PathAlgorithm,
-        route: &Route,
-        exact: Option<f64>,
-        costs: Option<&FaceMap<f64>>,
-    ) -> Self {
-        Self {
-            algorithm: algorithm.name(),
-            length: route.length,
-            cost: costs.map(|costs| map.mesh.cost_along(route, costs)),
-            ratio: exact.filter(|&exact| exact > 0.0).map(|exact| route.length / exact),
-            points: route.points.iter().map(|&p| map.in_file(p)).collect(),
-            corners: route.corners.iter().map(ToString::to_string).collect(),
-            faces: route.faces.iter().map(ToString::to_string).collect(),
-            portals: route.portals.iter().map(ToString::to_string).collect(),
-            pops: route.work.pops,
-            pushes: route.work.pushes,
-            expansions: route.work.expansions,
-        }
+fn row(map: &Map, algorithm: PathAlgorithm, route: &Route, exact: Option<f64>, costs: Option<&FaceMap<f64>>) -> Row {
+    Row {
+        cost: costs.map(|costs| map.mesh.cost_along(route, costs)),
+        points: route.points.iter().map(|&p| map.in_file(p).to_vec()).collect(),
+        portals: Some(route.portals.iter().map(ToString::to_string).collect()),
+        ..Row::new(algorithm, route.length, exact, (&route.corners, &route.faces), route.work)
     }
-
-    fn print(&self, out: &mut Output) -> Result<(), Failure> {
-        let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
-        writeln!(out, "{}: {}{cost}, through {}", self.algorithm, self.length, faces(self.faces.len()))?;
-        let points: Vec<String> = self.points.iter().map(|p| super::super::output::point(p)).collect();
-        for (what, words) in
-            [("way", &points), ("corners", &self.corners), ("faces", &self.faces), ("portals", &self.portals)]
-        {
-            if !words.is_empty() {
-                writeln!(out, "  {what:<8}{}", words.join(" "))?;
-            }
-        }
-        let entered = if self.expansions == 1 { "face" } else { "faces" };
-        writeln!(out, "  {:<8}{} taken from the queue, {} {entered} entered", "work", self.pops, self.expansions)?;
-        Ok(())
-    }
-}
-
-/// The ladder as a table.
-fn compare(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
-    let head = ["algorithm", "length", "of the exact", "faces", "corners", "from queue", "entered"].map(str::to_owned);
-    let mut lines = vec![head];
-    for row in rows {
-        lines.push([
-            row.algorithm.to_owned(),
-            format!("{:.6}", row.length),
-            row.ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.6}")),
-            row.faces.len().to_string(),
-            row.corners.len().to_string(),
-            row.pops.to_string(),
-            row.expansions.to_string(),
-        ]);
-    }
-    table(out, &lines)?;
-    Ok(())
 }

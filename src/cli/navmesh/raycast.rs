@@ -67,7 +67,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let place = args.snap.the_place(&map, &wish)?;
     let [start, end] = [place.point, map.point([x1, y1])];
     let cast = map.mesh.raycast_from(&place, end);
-    let cast = cast.map_err(|error| Failure::input(format!("{}: {error}", map.source), ""))?;
+    let cast = cast.map_err(|error| Failure::about(&map.source, error))?;
     if let Some(target) = &target {
         let options = target.options(&map, &format!("A ray through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).ray([start, end], &cast, &options), out)?;

@@ -21,7 +21,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// The map, and how to read it.
-#[derive(clap::Args, Debug)]
+#[derive(clap::Args, Debug, Default)]
 pub(super) struct MapArgs {
     /// The map, or - for standard input
     #[arg(value_name = "MAP")]
@@ -116,22 +116,7 @@ pub(super) enum Draft {
 impl MapArgs {
     /// The map of a file, read without any option.
     pub(super) fn of(file: &Path) -> Self {
-        let (format, up, max_slope, layer, weld) = (None, None, None, None, None);
-        let obstacles = ObstacleArgs::default();
-        let file = file.to_owned();
-        Self {
-            file,
-            format,
-            y_down: false,
-            up,
-            max_slope,
-            layer,
-            orient: false,
-            mend: false,
-            weld,
-            triangles: false,
-            obstacles,
-        }
+        Self { file: file.to_owned(), ..Self::default() }
     }
 
     /// How the file has its coordinates.
@@ -201,7 +186,7 @@ impl MapArgs {
         }
         if self.is_grid() && self.triangles {
             let grid = Grid::parse(&read_whole(&self.file)?, &self.source())?;
-            let regions = grid.regions().map_err(|error| Failure::input(format!("{}: {error}", self.source()), ""))?;
+            let regions = grid.regions().map_err(|error| Failure::about(self.source(), error))?;
             return plane(Draft::Regions(regions));
         }
         let options = ReadOptions {
@@ -407,12 +392,12 @@ impl MapArgs {
             names.remember(&subdivision);
         }
         if self.weld.is_some() && !self.triangles {
-            cut_bent_faces(&mut subdivision).map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+            cut_bent_faces(&mut subdivision).map_err(|error| Failure::about(&source, error))?;
         }
         if self.triangles {
             // Slivers lead astray whoever goes from portal to portal.
             let cut = subdivision.triangulate(TriangulationMethod::Delaunay);
-            cut.map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+            cut.map_err(|error| Failure::about(&source, error))?;
         }
         let frame = self.frame(format);
         cut_along(areas, &source, &mut subdivision, |p| frame.point(p))?;

@@ -1,14 +1,15 @@
 //! What the commands on solids share: reading, writing, and the short answer.
 
+use crate::answer::{fields, tell};
 use crate::choice::numbers;
 use crate::failure::Failure;
 use crate::input::InputOptions;
+use crate::output::counts;
 use crate::save::{Files, InPlace, save_as};
 use crate::subject::Kind;
 use crate::{Answer, Output};
-use dcel_kit::io::{Document, Format, Model, ReadOptions, counted, read_path, source_name};
+use dcel_kit::io::{Document, Format, Model, ReadOptions, read_path, source_name};
 use dcel_kit::solid::{PartCounts, Polyhedron};
-use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -56,21 +57,6 @@ pub(super) struct Target {
     json: bool,
 }
 
-/// The short answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Made {
-    vertices: usize,
-    edges: usize,
-    faces: usize,
-    euler: i64,
-    genus: i64,
-    borders: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    output: Option<String>,
-}
-
 impl Target {
     /// Refuses to write over the input, if there is one, unless that is said.
     pub(super) fn check(&self, input: Option<&Path>) -> Result<(), Failure> {
@@ -82,7 +68,7 @@ impl Target {
         &self,
         name: &str,
         solid: &Polyhedron,
-        note: Option<String>,
+        note: Option<&str>,
         out: &mut Output,
     ) -> Result<Answer, Failure> {
         if let Some(path) = &self.output {
@@ -93,33 +79,24 @@ impl Target {
         }
         let parts = solid.parts();
         let sum = |of: fn(&PartCounts) -> i64| parts.iter().map(of).sum::<i64>();
-        let made = Made {
+        let answer = fields! {
             vertices: solid.vertex_count(),
             edges: solid.edge_count(),
             faces: solid.polygon_faces().count(),
             euler: sum(PartCounts::euler),
             genus: sum(PartCounts::genus),
             borders: solid.boundary_faces().len(),
-            note,
-            output: self.output.as_ref().map(|path| path.display().to_string()),
+            #[serde(flatten)]
+            note: note.map(|note| fields! { note }),
+            #[serde(flatten)]
+            output: self.output.as_ref().map(|path| fields! { output: path.display().to_string() }),
         };
-        if self.json {
-            out.json(&made)?;
-            return Ok(Answer::Yes);
-        }
-        let Made { vertices, edges, faces, euler, genus, .. } = made;
-        let counts =
-            [counted(vertices, "vertex", "vertices"), counted(edges, "edge", "edges"), counted(faces, "face", "faces")]
-                .join(", ");
-        writeln!(out, "{name}: {counts}; V - E + F = {euler}, genus {genus}")?;
-        for line in made
-            .note
-            .iter()
-            .chain(made.output.iter().map(|path| format!("written to {path}")).collect::<Vec<_>>().iter())
-        {
-            writeln!(out, "  {line}")?;
-        }
-        Ok(Answer::Yes)
+        tell(&answer, self.json, out, |out| {
+            let counts = counts([answer.vertices, answer.edges, answer.faces]);
+            writeln!(out, "{name}: {counts}; V - E + F = {}, genus {}", answer.euler, answer.genus)?;
+            note.iter().try_for_each(|note| writeln!(out, "  {note}"))?;
+            self.output.iter().try_for_each(|path| writeln!(out, "  written to {}", path.display()))
+        })
     }
 }
 

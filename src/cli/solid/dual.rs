@@ -33,5 +33,5 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         DualPositions::Polar => "polar: the plane n x = 1 of a face has its vertex at n",
         DualPositions::Means => "each vertex is the mean of the corners of its face",
     };
-    args.target.put("dual", &dual.solid, Some(note.to_owned()), out)
+    args.target.put("dual", &dual.solid, Some(note), out)
 }

@@ -124,5 +124,5 @@ fn hull(args: &Args, name: &str, out: &mut Output) -> Result<Answer, Failure> {
     let hull = Polyhedron::convex_hull(&points, faces)
         .map_err(|error| Failure::input(format!("{source}: {error}"), "points are counted from 0"))?;
     let note = format!("{} of {} points are corners", hull.points.len(), points.len());
-    args.target.put(name, &hull.solid, Some(note), out)
+    args.target.put(name, &hull.solid, Some(&note), out)
 }

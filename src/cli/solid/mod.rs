@@ -22,6 +22,7 @@ mod support;
 
 pub(crate) use common::{check_finer, open as open_solid, points_in_space, refused, vector};
 
+use super::choice::commands;
 use super::{Answer, Failure, Output};
 
 /// Make solids, measure them, draw them
@@ -39,25 +40,16 @@ pub(crate) struct Args {
     command: Command,
 }
 
-#[derive(clap::Subcommand, Debug)]
-enum Command {
-    Make(make::Args),
-    Info(info::Args),
-    Dual(dual::Args),
-    Subdivide(subdivide::Args),
-    Support(support::Args),
-    Figure(figure::Args),
-    Schlegel(schlegel::Args),
+commands! {
+    Make make,
+    Info info,
+    Dual dual,
+    Subdivide subdivide,
+    Support support,
+    Figure figure,
+    Schlegel schlegel,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    match &args.command {
-        Command::Make(args) => make::run(args, out),
-        Command::Info(args) => info::run(args, out),
-        Command::Dual(args) => dual::run(args, out),
-        Command::Subdivide(args) => subdivide::run(args, out),
-        Command::Support(args) => support::run(args, out),
-        Command::Figure(args) => figure::run(args, out),
-        Command::Schlegel(args) => schlegel::run(args, out),
-    }
+    args.command.run(out)
 }

@@ -8,13 +8,15 @@
 //! Broken tables are walked as far as the pointers lead; a walk that does not come back says so.
 //!
 //! ```text
-//!   rounds.rs  The walks, as the JSON form of the answer has them
-//!   show.rs    The walks as text
+//!   faces.rs   Round faces
+//!   around.rs  Round a vertex, and the links of a half-edge
+//!   names.rs   Ids, names and positions as answers have them
 //!   which.rs   The element that is meant, or a helpful refusal
 //! ```
 
-mod rounds;
-mod show;
+mod around;
+mod faces;
+mod names;
 mod which;
 
 use super::input::InputOptions;
@@ -73,29 +75,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let Which { face, face_name, vertex, half_edge } = &args.element;
     if let Some(v) = vertex {
         which::check_vertex(&subject, *v)?;
-        let star = rounds::Star::of(&subject, *v);
-        return finish(args.json, out, &star, |out| show::star(out, &star));
+        return around::star(&subject, *v, args.json, out);
     }
     if let Some(h) = half_edge {
         which::check_half_edge(&subject, *h)?;
-        let links = rounds::Links::of(&subject, *h);
-        return finish(args.json, out, &links, |out| show::links(out, &links));
+        return around::links(&subject, *h, args.json, out);
     }
     let faces = which::faces(&subject, *face, face_name.as_deref())?;
-    let walk = rounds::FaceWalk::of(&subject, &faces);
-    finish(args.json, out, &walk, |out| show::faces(out, &walk))
-}
-
-fn finish<T: serde::Serialize>(
-    json: bool,
-    out: &mut Output,
-    value: &T,
-    print: impl FnOnce(&mut Output) -> std::io::Result<()>,
-) -> Result<Answer, Failure> {
-    if json {
-        out.json(value)?;
-    } else {
-        print(out)?;
-    }
-    Ok(Answer::Yes)
+    faces::run(&subject, &faces, args.json, out)
 }

@@ -1,10 +1,10 @@
 //! An edit in several steps, each graded by its own test: what differs from the right structure becomes faults of steps.
 
 use super::align::{Aligned, Content, Difference, Field, differences};
-use crate::fault::{Fault, FaultKind, Instead};
+use crate::fault::{Exchange, Fault, FaultKind, Instead};
 use crate::protocol::CallEnd;
-use dcel_kit::Element;
 use dcel_kit::topology::{Table, violations};
+use dcel_kit::{Element, HalfEdgeId};
 
 /// The part that an element plays which plays none.
 pub const ELSEWHERE: &str = "elsewhere";
@@ -14,7 +14,7 @@ const LAWS: usize = 4;
 /// A call of an edit that is being judged, step by step.
 pub struct Steps<'a> {
     /// `split_face`, the beginning of every rule.
-    pub function: &'static str,
+    pub function: &'a str,
     /// The call as it was made, in ids.
     pub call: String,
     /// The step of the case.
@@ -33,7 +33,19 @@ pub struct Steps<'a> {
     pub faults: Vec<Fault>,
 }
 
-impl Steps<'_> {
+impl<'a> Steps<'a> {
+    /// The steps of a call of half-edges, without a loop, and these half-edges; nothing if it could not be made, or if
+    /// nobody looked at what came of it.
+    #[must_use]
+    pub fn of<const N: usize>(exchange: &Exchange<'a>, tests: &'a [&'static str]) -> Option<(Self, [HalfEdgeId; N])> {
+        let (arguments, end) = exchange.called?;
+        let (before, after) = (exchange.before()?, exchange.after()?);
+        let half_edges = <[u32; N]>::try_from(arguments).ok()?.map(HalfEdgeId::new);
+        let Exchange { function, step, .. } = *exchange;
+        let call = half_edges.iter().fold(function.to_owned(), |call, h| format!("{call} {h}"));
+        Some((Self { function, call, step, loops: None, tests, end, before, after, faults: Vec::new() }, half_edges))
+    }
+
     /// A fault of a step of the operation.
     pub fn add(&mut self, step: usize, kind: FaultKind, tag: &str, words: &str, elements: &[Element]) {
         let Some(&test) = self.tests.get(step) else { return };

@@ -28,71 +28,46 @@ mod words;
 
 pub(super) use rows::rows;
 
+use super::verdict::named;
 use super::{Report, TestResult, Visibility};
 use std::fmt;
 
-/// A form in which reports can be written.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-#[non_exhaustive]
-pub enum Format {
-    /// For a terminal.
-    Text,
-    /// One page without anything from outside, pictures in it.
-    Html,
-    /// A summary for a page of a code host, without pictures.
-    Markdown,
-    /// The reports themselves, from which every other format can be written again.
-    Json,
-    /// `results.json` of Gradescope.
-    Gradescope,
-    /// `result.json` of Classroom 50.
-    Classroom50,
-    /// `results.json` of an exercism test runner, version 3.
-    Exercism,
-    /// JUnit XML, a suite for each submission.
-    Junit,
-    /// A row for each submission, for a spreadsheet.
-    Csv,
-    /// A row for each named bug with how many have it, for a spreadsheet.
-    Bugs,
-    /// A row for each test with what the class makes of it, for a spreadsheet.
-    Statistics,
+named! {
+    /// A form in which reports can be written.
+    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+    #[non_exhaustive]
+    pub enum Format {
+        /// For a terminal.
+        Text = "text",
+        /// One page without anything from outside, pictures in it.
+        Html = "html",
+        /// A summary for a page of a code host, without pictures.
+        Markdown = "markdown",
+        /// The reports themselves, from which every other format can be written again.
+        Json = "json",
+        /// `results.json` of Gradescope.
+        Gradescope = "gradescope",
+        /// `result.json` of Classroom 50.
+        Classroom50 = "classroom50",
+        /// `results.json` of an exercism test runner, version 3.
+        Exercism = "exercism",
+        /// JUnit XML, a suite for each submission.
+        Junit = "junit",
+        /// A row for each submission, for a spreadsheet.
+        Csv = "csv",
+        /// A row for each named bug with how many have it, for a spreadsheet.
+        Bugs = "bugs",
+        /// A row for each test with what the class makes of it, for a spreadsheet.
+        Statistics = "statistics",
+    }
+
+    /// All formats.
+    const ALL;
+    /// Its name on the command line.
+    fn name;
 }
 
 impl Format {
-    /// All formats.
-    pub const ALL: [Self; 11] = [
-        Self::Text,
-        Self::Html,
-        Self::Markdown,
-        Self::Json,
-        Self::Gradescope,
-        Self::Classroom50,
-        Self::Exercism,
-        Self::Junit,
-        Self::Csv,
-        Self::Bugs,
-        Self::Statistics,
-    ];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Text => "text",
-            Self::Html => "html",
-            Self::Markdown => "markdown",
-            Self::Json => "json",
-            Self::Gradescope => "gradescope",
-            Self::Classroom50 => "classroom50",
-            Self::Exercism => "exercism",
-            Self::Junit => "junit",
-            Self::Csv => "csv",
-            Self::Bugs => "bugs",
-            Self::Statistics => "statistics",
-        }
-    }
-
     /// The format of that name.
     #[must_use]
     pub fn by_name(name: &str) -> Option<Self> {

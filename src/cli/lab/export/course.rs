@@ -11,6 +11,7 @@
 //!     gradescope/04-half-edge.zip           the hidden cases are inside
 //! ```
 
+use super::super::super::input::text_of;
 use super::super::super::{Failure, Output};
 use super::super::{folder, kit};
 use super::page::{self, Page, escaped};
@@ -82,10 +83,7 @@ impl Export<'_> {
     /// What only the instructor's grader has.
     fn private(&self, shared: &SharedCourse, number: usize, lab: &Of) -> Result<CourseFiles, Failure> {
         let name = lab.files.name();
-        let secret = lab.terms.secret.as_ref().map(|(file, _)| {
-            let unreadable = |error| Failure::input(format!("{}: {error}", file.display()), "put the secret back");
-            std::fs::read_to_string(file).map_err(unreadable)
-        });
+        let secret = lab.terms.secret.as_ref().map(|(file, _)| text_of(file, "put the secret back"));
         let mut known = BTreeMap::new();
         if lab.terms.own_tests > Points::ZERO {
             let there = super::super::verify::labs(self.labs, &[name.to_owned()])?.join(name);

@@ -28,7 +28,7 @@ pub(in super::super) fn run(
         Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, &costs, &links, &start, limit),
         None => SurfacePlanner::new().linked_distance_field(surface, &links, &start, limit),
     };
-    let field = field.map_err(|error| Failure::input(format!("{}: {error}", ground.source), ""))?;
+    let field = field.map_err(|error| Failure::about(&ground.source, error))?;
     if let Some(target) = target {
         let options = ground.options(target, &format!("Distances on {}", args.map.title()));
         save(target, Storeys::new(surface).reach(&field, &start, &options), out)?;

@@ -11,6 +11,7 @@
 use super::meshes::{slanted, wave};
 use crate::cases::random::Random;
 use crate::fault::{Fault, FaultKind, answered, exchanges};
+use crate::many::too_many_reads;
 use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Pattern, Reply, Start, Step, Value, grouped};
 use std::sync::OnceLock;
 
@@ -96,12 +97,8 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                     _ => (READS_OF_A_HALF_EDGE * half_edges as u64, "thirty for each half-edge"),
                 };
                 if *reads > limit {
-                    let words = format!(
-                        "{called} looks at everything: {} reads in a structure of {} half-edges, where {example} would do",
-                        grouped(*reads),
-                        grouped(half_edges as u64),
-                    );
-                    return fault(FaultKind::TooSlow { place: None }, "reads", words);
+                    let size = ("structure", half_edges, "half-edges");
+                    return vec![too_many_reads(test, step, (called, *reads), size, example)];
                 }
             }
             (Step::Many { function, count, budget }, Reply::Many(many)) if many.asked < *count => {

@@ -58,7 +58,7 @@ crate::features! {
 const LARGE: usize = 10_000;
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let table = exchange.before()?;
     if table.half_edges.len() > LARGE {
         return None;

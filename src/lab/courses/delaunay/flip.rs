@@ -72,22 +72,10 @@ pub(super) fn expected(exchange: &Exchange) -> Option<Table> {
 
 /// What is wrong with a call.
 pub(super) fn judge(exchange: &Exchange) -> Vec<Fault> {
-    let (Some((&[h], end)), Some(before), Some(after)) = (exchange.called, exchange.before(), exchange.after()) else {
+    let Some(((mut steps, [h]), expected)) = Steps::of(exchange, &TESTS).zip(expected(exchange)) else {
         return Vec::new();
     };
-    let Some(expected) = expected(exchange) else { return Vec::new() };
-    let h = HalfEdgeId::new(h);
-    let mut steps = Steps {
-        function: "flip",
-        call: format!("flip {h}"),
-        step: exchange.step,
-        loops: None,
-        tests: &TESTS,
-        end,
-        before,
-        after,
-        faults: Vec::new(),
-    };
+    let (before, after) = (steps.before, steps.after);
     let counts = [
         steps.count(1, "vertices", [before.vertices.len(), after.vertices.len()], 0),
         steps.count(2, "half-edges", [before.half_edges.len(), after.half_edges.len()], 0),

@@ -1,8 +1,8 @@
 //! The picture of the handout: the Delaunay triangulation of its sites, with the circles.
 
 use crate::cases::handouts::SITES;
+use crate::pictures::Plain;
 use dcel_kit::plane::{Point, Subdivision};
-use std::fmt::Write;
 
 /// A circle is drawn as a polygon of so many corners.
 const CORNERS: u32 = 56;
@@ -18,31 +18,22 @@ fn centre([a, b, c]: [Point; 3]) -> ([f64; 2], f64) {
 
 /// The picture, with the coordinates that the student's program writes: y points down in a file.
 pub(super) fn plain() -> String {
-    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-260 -260 520 490\">\n".to_owned();
-    let Ok(built) = Subdivision::delaunay(&SITES.map(Point::from)) else { return out };
+    let mut out = Plain::new("-260 -260 520 490");
+    let Ok(built) = Subdivision::delaunay(&SITES.map(Point::from)) else { return out.svg() };
     let built = built.subdivision;
     for f in built.faces().skip(1) {
         let corners: Vec<Point> = built.incident_vertices(f).map(|v| built.point(v)).collect();
         let Ok(corners) = <[Point; 3]>::try_from(corners) else { continue };
         let ([x, y], radius) = centre(corners);
-        let on_it = (0..CORNERS).map(|i| {
+        out.ring((0..CORNERS).map(|i| {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
-            format!("{},{}", x + radius * cos, 0.0 - (y + radius * sin))
-        });
-        let list: Vec<String> = on_it.collect();
-        let _ = writeln!(out, "<polygon points=\"{}\" fill=\"none\" stroke=\"#3a86c8\"/>", list.join(" "));
+            [x + radius * cos, y + radius * sin]
+        }));
     }
     for edge in built.edges() {
-        let [(x1, y1), (x2, y2)] = edge.half_edges().map(|h| {
-            let p = built.point(built.origin(h));
-            (p.x, 0.0 - p.y)
-        });
-        let line =
-            format!("<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\" stroke-width=\"2\"/>");
-        let _ = writeln!(out, "{line}");
+        let [p, q] = edge.half_edges().map(|h| built.point(built.origin(h)));
+        out.wide_edge(p, q);
     }
-    for [x, y] in SITES {
-        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
-    }
-    out + "</svg>\n"
+    SITES.into_iter().for_each(|site| out.vertex(site));
+    out.svg()
 }

@@ -7,7 +7,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::wheel;
 use crate::checks::walks::{blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
@@ -81,13 +81,7 @@ impl Judge for Delaunay {
         }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match (&fault.kind, fault.test) {

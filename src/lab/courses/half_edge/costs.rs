@@ -11,6 +11,7 @@
 use super::walk;
 use crate::cases::starts::grid;
 use crate::fault::{Fault, FaultKind, answered};
+use crate::many::too_many_reads;
 use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, Structure, grouped};
 use dcel_kit::topology::Table;
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
@@ -66,20 +67,15 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
     let mut out = Vec::new();
     let mut called: Option<(&str, String)> = None;
     for (step, asked, reply) in answered(case, answer) {
-        let fault =
-            |kind, tag: &str, words, elements| Fault { elements, ..Fault::new(test, kind, step, ["cost", tag], words) };
+        let fault = |kind, tag: &str, words| Fault::new(test, kind, step, ["cost", tag], words);
         match (asked, reply) {
             (Step::Call { function, arguments }, _) => called = Some((function, arguments.join(" "))),
             (Step::Reads, Reply::Reads(reads)) if *reads > READS_OF_A_SPLIT => {
                 let (function, arguments) = called.clone().unwrap_or_default();
-                let words = format!(
-                    "{function} {arguments} looks at everything: {} reads in a structure of {} records, where a few \
-                     dozen would do",
-                    grouped(*reads),
-                    records(case),
-                );
+                let size = ("structure", case.start.structure().map_or(0, Structure::len), "records");
+                let call = format!("{function} {arguments}");
                 // Once is enough: the others are the same.
-                out.push(fault(FaultKind::TooSlow { place: None }, "reads", words, Vec::new()));
+                out.push(too_many_reads(test, step, (&call, *reads), size, "a few dozen"));
                 return out;
             }
             (Step::Many { function, count, budget }, Reply::Many(many)) => {
@@ -88,22 +84,18 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                     Some(wrong) => wrong,
                     None => continue,
                 };
-                out.push(fault(kind, tag, words, Vec::new()));
+                out.push(fault(kind, tag, words));
             }
             (Step::Many { function, .. }, Reply::Called(Called { end, .. })) => {
                 if let Some(kind) = FaultKind::of_end(end) {
                     let words = format!("{function}, asked for many elements of a large structure, {}", end.words());
-                    out.push(fault(kind, "end", words, Vec::new()));
+                    out.push(fault(kind, "end", words));
                 }
             }
             _ => {}
         }
     }
     out
-}
-
-fn records(case: &Case) -> String {
-    grouped(case.start.structure().map_or(0, Structure::len) as u64)
 }
 
 fn wrong_of_many(

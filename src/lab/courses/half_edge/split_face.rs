@@ -38,23 +38,9 @@ pub(super) fn is_legal(exchange: &Exchange) -> bool {
 
 /// Judges one call; the faults of each step go to the test at its place in `tests`.
 pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
-    let (Some((&[h1, h2], end)), Some(before), Some(after)) = (exchange.called, exchange.before(), exchange.after())
-    else {
-        return Vec::new();
-    };
-    let [h1, h2] = [h1, h2].map(HalfEdgeId::new);
-    let mut steps = Steps {
-        function: "split_face",
-        call: format!("split_face {h1} {h2}"),
-        step: exchange.step,
-        loops: Some(4),
-        tests,
-        end,
-        before,
-        after,
-        faults: Vec::new(),
-    };
-    match spec::may_split_face(before, h1, h2) {
+    let Some((steps, [h1, h2])) = Steps::of(exchange, tests) else { return Vec::new() };
+    let mut steps = Steps { loops: Some(4), ..steps };
+    match spec::may_split_face(steps.before, h1, h2) {
         Legal::Yes => legal(&mut steps, h1, h2),
         illegal => refused(&mut steps, illegal, h1, h2),
     }

@@ -32,21 +32,7 @@ pub(super) fn expected(before: &Table, he: HalfEdgeId, after: &Table) -> Option<
 
 /// Judges one call; the faults of each step go to the test at its place in `tests`.
 pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
-    let (Some((&[he], end)), Some(before), Some(after)) = (exchange.called, exchange.before(), exchange.after()) else {
-        return Vec::new();
-    };
-    let he = HalfEdgeId::new(he);
-    let mut steps = Steps {
-        function: "split_in_half",
-        call: format!("split_in_half {he}"),
-        step: exchange.step,
-        loops: None,
-        tests,
-        end,
-        before,
-        after,
-        faults: Vec::new(),
-    };
+    let Some((mut steps, [he])) = Steps::of(exchange, tests) else { return Vec::new() };
     steps_of(&mut steps, he);
     steps.faults
 }

@@ -15,7 +15,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
 use crate::checks::walks::{blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Feature, Judge, Source, Suite, ToldBy};
+use crate::judge::{Asked, Judge, Source, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::Element;
@@ -121,13 +121,7 @@ impl Judge for HalfEdge {
         if test.starts_with("drawing") { ToldBy::Words } else { ToldBy::Law }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(earlier, exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match (&fault.kind, fault.rule.as_str()) {

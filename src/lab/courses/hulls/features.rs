@@ -60,7 +60,7 @@ crate::features! {
 }
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     match exchange.function {
         "gift_wrapping" | "graham_scan" | "hull_by_halves" => {

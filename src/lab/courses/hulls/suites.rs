@@ -8,8 +8,8 @@ use super::starts::{
 use super::{features, hull, merge, picture, tangents};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
-use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::fault::{Fault, FaultKind};
+use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::{Plan, Secret};
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
@@ -80,13 +80,7 @@ impl Judge for Hulls {
         answers::judge(&functions, case, answer)
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match (&fault.kind, fault.rule.as_str()) {

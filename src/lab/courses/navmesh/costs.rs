@@ -2,8 +2,9 @@
 //!
 //! Time plays no part: reads are counted, and are the same on every machine.
 
-use crate::fault::{Fault, FaultKind, answered};
-use crate::protocol::{Case, CaseAnswer, Reply, Start, Step, Structure, grouped};
+use crate::fault::{Fault, answered};
+use crate::many::too_many_reads;
+use crate::protocol::{Case, CaseAnswer, Reply, Start, Step, Structure};
 
 /// How many reads the neighbours of one triangle may take. The solution needs 10.
 const READS_OF_A_TRIANGLE: u64 = 200;
@@ -21,7 +22,7 @@ pub(super) fn with_reads(name: String, start: &Start, lines: impl IntoIterator<I
 
 /// What is wrong with the numbers of reads in a case.
 pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let records = case.start.structure().map_or(0, Structure::len) as u64;
+    let records = case.start.structure().map_or(0, Structure::len);
     let mut called: Option<(&str, &[String])> = None;
     for (step, asked, reply) in answered(case, answer) {
         match (asked, reply) {
@@ -34,12 +35,13 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                     _ => (READS_OF_A_WALK, "those of the triangles on the way"),
                 };
                 if *reads > limit {
-                    let words = format!(
-                        "{function} looks at everything: {} reads in a structure of {} records, where {example} would do",
-                        grouped(*reads),
-                        grouped(records),
-                    );
-                    return vec![Fault::new(test, FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)];
+                    return vec![too_many_reads(
+                        test,
+                        step,
+                        (function, *reads),
+                        ("structure", records, "records"),
+                        example,
+                    )];
                 }
             }
             _ => {}

@@ -13,7 +13,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::wheel;
 use crate::checks::walks::blind;
 use crate::fault::{Exchange, Fault};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step, Structure};
@@ -77,13 +77,7 @@ impl Judge for NavMeshJudge {
         faults
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match fault.test {

@@ -57,7 +57,7 @@ crate::features! {
 }
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let surface = Surface::of(exchange.records_before()?);
     let mut set = FeatureSet::default();
     let argument = exchange.called.and_then(|(arguments, _)| arguments.first().copied());

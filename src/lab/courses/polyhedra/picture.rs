@@ -2,8 +2,8 @@
 
 use super::dual::mean;
 use super::regular;
+use crate::pictures::Plain;
 use dcel_kit::topology::View;
-use std::fmt::Write;
 
 /// The solids whose pictures are judged, by the names that a case has for them.
 pub(super) const DRAWN: [&str; 2] = ["cube", "dodecahedron"];
@@ -27,18 +27,14 @@ fn lines(solid: &str) -> (Vec<[[f64; 3]; 2]>, Vec<[f64; 3]>) {
 
 /// Where a point of space is drawn; y points down.
 fn place([x, y, z]: [f64; 3]) -> [f64; 2] {
-    [100.0 * x + 40.0 * y, 15.0 * x - 30.0 * y - 100.0 * z]
+    [100.0 * x + 40.0 * y, 0.0 - (15.0 * x - 30.0 * y - 100.0 * z)]
 }
 
 /// The picture, with the coordinates that the student's program writes.
 pub(super) fn plain(solid: &str) -> String {
     let (lines, dots) = lines(solid);
-    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-300 -250 600 500\">\n".to_owned();
-    for [[x1, y1], [x2, y2]] in lines.into_iter().map(|ends| ends.map(place)) {
-        let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
-    }
-    for [x, y] in dots.into_iter().map(place) {
-        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/>");
-    }
-    out + "</svg>\n"
+    let mut out = Plain::new("-300 -250 600 500");
+    lines.into_iter().for_each(|[p, q]| out.edge(place(p), place(q)));
+    dots.into_iter().for_each(|p| out.vertex(place(p)));
+    out.svg()
 }

@@ -103,20 +103,9 @@ pub(super) fn solids() -> Vec<(String, Surface)> {
     let sides: [&[u32]; 5] = [&[0, 3, 2, 1], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]];
     let dent: [&[u32]; 4] = [&[4, 5, 8], &[5, 6, 8], &[6, 7, 8], &[7, 4, 8]];
     add("dented_cube", &cube, &[&sides[..], &dent].concat());
-    let cut: [&[u32]; 12] = [
-        &[0, 3, 2],
-        &[0, 2, 1],
-        &[0, 1, 5],
-        &[0, 5, 4],
-        &[1, 2, 6],
-        &[1, 6, 5],
-        &[2, 3, 7],
-        &[2, 7, 6],
-        &[3, 0, 4],
-        &[3, 4, 7],
-        &[4, 5, 6],
-        &[4, 6, 7],
-    ];
+    let all_sides = [&sides[..], &[&[4, 5, 6, 7]]].concat();
+    let halves: Vec<[u32; 3]> = all_sides.iter().flat_map(|s| [[s[0], s[1], s[2]], [s[0], s[2], s[3]]]).collect();
+    let cut: Vec<&[u32]> = halves.iter().map(|half| &half[..]).collect();
     add("cut_cube", &cube[..8], &cut);
     // A linear map keeps faces flat, up to rounding.
     let leaning: Vec<[f64; 3]> =

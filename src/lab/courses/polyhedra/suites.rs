@@ -7,8 +7,8 @@ use super::surface::SCHEMA;
 use super::{angles, costs, counts, dual, features, merging, picture, regular, shapes, walks};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
-use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::fault::{Fault, FaultKind};
+use crate::judge::{Asked, Judge, Suite};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
 use crate::{many, pictures};
@@ -120,13 +120,7 @@ impl Judge for Polyhedra {
         }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match (&fault.kind, fault.test) {

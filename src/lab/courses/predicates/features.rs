@@ -79,7 +79,7 @@ crate::features! {
 }
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     let numbers = exchange.numbers();

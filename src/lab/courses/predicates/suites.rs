@@ -4,8 +4,8 @@ use super::functions::FUNCTIONS;
 use super::points::{FAR, PLAIN, line, nearly_collinear, of_points, random_nearly, random_sum, random_whole, sums};
 use super::{features, functions, map};
 use crate::cases::random::Random;
-use crate::fault::{Exchange, Fault};
-use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
+use crate::fault::Fault;
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, RecordSchema, Schema, Start, Step};
 use crate::{answers, pictures};
@@ -65,13 +65,7 @@ impl Judge for Predicates {
         if test == "wrong_signs" { ToldBy::Answer } else { ToldBy::Words }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match fault.test {

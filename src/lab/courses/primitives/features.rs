@@ -34,7 +34,7 @@ crate::features! {
 }
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     let numbers: Vec<usize> = exchange.words.iter().filter_map(|word| word.parse().ok()).collect();
     if let ("revolve", [_, rows @ ..]) = (exchange.function, exchange.words) {

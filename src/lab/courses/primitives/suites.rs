@@ -8,8 +8,8 @@ use super::reference::{self, turned};
 use super::{costs, picture, revolve, shorter};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
-use crate::fault::{Exchange, Fault, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
+use crate::fault::{Fault, exchanges};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Step};
@@ -270,13 +270,7 @@ impl Judge for Primitives {
         }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match fault.test {

@@ -3,7 +3,8 @@
 use super::laws::broken;
 use super::model::{Model, Place};
 use crate::fault::{Fault, FaultKind, answered};
-use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step, Structure, Value, grouped};
+use crate::many::too_many_reads;
+use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step, Structure, Value};
 
 /// How many records a call may look at in a large mesh. The solutions need a fifth of it.
 const READS_OF_AN_EDIT: u64 = 2_000;
@@ -91,14 +92,8 @@ pub(super) fn judge(test: &'static str, model: &Model, case: &Case, answer: &Cas
                 let Some(at) = last else { continue };
                 let limit = if at.is_edit() { READS_OF_AN_EDIT } else { READS_OF_A_CLIMB };
                 if *reads > limit {
-                    let records = case.start.structure().map_or(0, Structure::len) as u64;
-                    let words = format!(
-                        "{} looks at everything: {} reads in a structure of {} records, where a few hundred would do",
-                        at.line(),
-                        grouped(*reads),
-                        grouped(records),
-                    );
-                    out.push(fault(step, FaultKind::TooSlow { place: None }, "cost", "reads", words));
+                    let size = ("structure", case.start.structure().map_or(0, Structure::len), "records");
+                    out.push(too_many_reads(test, step, (&at.line(), *reads), size, "a few hundred"));
                     // Once is enough: the others are the same.
                     return out;
                 }

@@ -2,7 +2,7 @@
 
 use super::model::Place;
 use super::solids::gem;
-use std::fmt::Write;
+use crate::pictures::Plain;
 
 const FROM: usize = 0;
 const DIRECTION: Place = [1.0, 2.0, 5.0];
@@ -12,22 +12,20 @@ pub(super) fn reference() -> String {
     let model = gem().model();
     let at = |v: usize| {
         let [x, y, z] = model.place(v).unwrap_or_default();
-        [x + 0.5 * y, 0.0 - (z + 0.25 * y)]
+        [x + 0.5 * y, z + 0.25 * y]
     };
-    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-200 -200 400 400\">\n".to_owned();
+    let mut out = Plain::new("-200 -200 400 400");
     for &(a, b) in model.across.keys().filter(|(a, b)| a < b) {
-        let ([x1, y1], [x2, y2]) = (at(a), at(b));
-        let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
+        out.edge(at(a), at(b));
     }
     let mut v = FROM;
     loop {
-        let [x, y] = at(v);
-        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/>");
+        out.vertex(at(v));
         let highest =
             model.neighbours(v).into_iter().reduce(|a, b| if model.higher(DIRECTION, b, a).is_gt() { b } else { a });
         match highest.filter(|&next| model.higher(DIRECTION, next, v).is_gt()) {
             Some(next) => v = next,
-            None => return out + "</svg>\n",
+            None => return out.svg(),
         }
     }
 }

@@ -10,7 +10,7 @@ use super::solids::{SCHEMA, Solid, cube, empty, gem, nested, soup};
 use super::{answers, features, picture};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault};
-use crate::judge::{Asked, Feature, Judge, Source, Suite};
+use crate::judge::{Asked, Judge, Source, Suite};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
@@ -146,13 +146,7 @@ impl Judge for SupportJudge {
         faults
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(earlier, exchange)
-    }
+    crate::features_of!(features);
 
     fn concerns(&self, suite: &Suite, step: &Step, exchange: Option<&Exchange>) -> Vec<&'static str> {
         // In a long row of edits, those after which the mesh is not looked at say nothing by themselves.

@@ -44,7 +44,7 @@ crate::features! {
 }
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     if exchange.function == "from_cells" {
         set.add(Word::Cells as u32, true);

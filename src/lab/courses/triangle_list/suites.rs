@@ -8,7 +8,7 @@ use super::{drawing, features, steps, whole};
 use crate::cases::random::Random;
 use crate::cases::starts;
 use crate::fault::{Exchange, Fault, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
@@ -101,13 +101,7 @@ impl Judge for TriangleList {
         if test == "from_faces" { ToldBy::Answer } else { ToldBy::Words }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match fault.test {

@@ -9,10 +9,11 @@ use super::{drawing, features, soups, splits};
 use crate::answers::{self, Function, Wrong};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, FaultKind, answered, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
+use crate::many::too_many_reads;
 use crate::pictures;
 use crate::plan::Plan;
-use crate::protocol::{Case, CaseAnswer, Reply, Schema, Start, Step, Structure, Value, grouped};
+use crate::protocol::{Case, CaseAnswer, Reply, Schema, Start, Step, Structure, Value};
 use std::sync::Arc;
 
 /// The test of the picture.
@@ -104,13 +105,7 @@ impl Judge for Triangulation {
         if test == "triangulate" { ToldBy::Answer } else { ToldBy::Words }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(earlier, exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match fault.test {
@@ -210,12 +205,8 @@ fn costs(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         _ => None,
     });
     let fault = |(step, reads)| {
-        let words = format!(
-            "split looks at everything: {} reads in a polygon of {} corners, where two dozen would do",
-            grouped(reads),
-            grouped(case.start.structure().map_or(0, Structure::len) as u64)
-        );
-        Fault::new(splits::TESTS[1], FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)
+        let size = ("polygon", case.start.structure().map_or(0, Structure::len), "corners");
+        too_many_reads(splits::TESTS[1], step, ("split", reads), size, "two dozen")
     };
     too_many.map(fault).into_iter().collect()
 }

@@ -42,7 +42,7 @@ crate::features! {
 }
 
 /// What holds of a call.
-pub(super) fn of(exchange: &Exchange) -> Option<u128> {
+pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     let argument = exchange.called.and_then(|(arguments, _)| arguments.first().copied());
     match exchange.function {

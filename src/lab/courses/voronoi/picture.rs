@@ -3,7 +3,7 @@
 use super::centres::centre;
 use super::starts::delaunay;
 use crate::cases::handouts::SITES;
-use std::fmt::Write;
+use crate::pictures::Plain;
 
 /// Half of the width and of the height of the frame at which rays end.
 const FRAME: [f64; 2] = [320.0, 220.0];
@@ -40,13 +40,8 @@ fn leave(begin: [f64; 2], p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
 
 /// The picture, with the coordinates that the student's program writes: y points down in a file.
 pub(super) fn plain() -> String {
-    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-340 -240 680 480\">\n".to_owned();
-    for [[x1, y1], [x2, y2]] in lines() {
-        let (y1, y2) = (0.0 - y1, 0.0 - y2);
-        let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
-    }
-    for [x, y] in SITES {
-        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
-    }
-    out + "</svg>\n"
+    let mut out = Plain::new("-340 -240 680 480");
+    lines().into_iter().for_each(|[p, q]| out.edge(p, q));
+    SITES.into_iter().for_each(|site| out.vertex(site));
+    out.svg()
 }

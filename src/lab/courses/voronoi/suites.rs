@@ -5,8 +5,8 @@ use super::{cells, centres, costs, duals, features, picture};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, grid, polygon, wheel};
-use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
+use crate::fault::{Fault, FaultKind};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use crate::{many, pictures};
@@ -67,13 +67,7 @@ impl Judge for VoronoiDiagrams {
         if matches!(test, "dual" | "voronoi") { ToldBy::Answer } else { ToldBy::Words }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match (&fault.kind, fault.test) {

@@ -1,0 +1,203 @@
+//! Paths as they are told, of maps and of floors in space: one by one, compared, over links.
+
+use super::super::answer::fields;
+use super::super::failure::{Failure, say};
+use super::super::output::{point, table};
+use super::super::{Answer, Output};
+use super::tell::faces;
+use dcel_kit::io::counted;
+use dcel_kit::navmesh::{PathAlgorithm, Work};
+use dcel_kit::{FaceId, VertexId};
+use serde::Serialize;
+use std::io::Write;
+
+/// A path, or a leg of one. The names are those of the JSON form.
+#[derive(Serialize)]
+pub(super) struct Row {
+    pub(super) algorithm: &'static str,
+    /// On a floor in space along the surface.
+    pub(super) length: f64,
+    /// With the costs of areas, if there are any.
+    pub(super) cost: Option<f64>,
+    /// How much longer than the exact path, if that was asked for.
+    pub(super) ratio: Option<f64>,
+    pub(super) points: Vec<Vec<f64>>,
+    /// The layer of each piece between two points, on a floor in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) layers: Option<Vec<usize>>,
+    pub(super) corners: Vec<String>,
+    pub(super) faces: Vec<String>,
+    /// On a map.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) portals: Option<Vec<String>>,
+    pub(super) pops: u64,
+    pub(super) pushes: u64,
+    pub(super) expansions: u64,
+}
+
+impl Row {
+    /// What paths of all kinds have; `exact` is the length of the exact one.
+    pub(super) fn new(
+        algorithm: PathAlgorithm,
+        length: f64,
+        exact: Option<f64>,
+        (corners, faces): (&[VertexId], &[FaceId]),
+        work: Work,
+    ) -> Self {
+        Self {
+            algorithm: algorithm.name(),
+            length,
+            cost: None,
+            ratio: exact.filter(|&exact| exact > 0.0).map(|exact| length / exact),
+            points: Vec::new(),
+            layers: None,
+            corners: corners.iter().map(ToString::to_string).collect(),
+            faces: faces.iter().map(ToString::to_string).collect(),
+            portals: None,
+            pops: work.pops,
+            pushes: work.pushes,
+            expansions: work.expansions,
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> Result<(), Failure> {
+        let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
+        let (along, path) = if self.layers.is_some() { (" along the surface", "path") } else { ("", "way") };
+        writeln!(out, "{}: {}{along}{cost}, through {}", self.algorithm, self.length, faces(self.faces.len()))?;
+        let points: Vec<String> = self.points.iter().map(|p| point(p)).collect();
+        let mut layers: Vec<String> = self.layers.iter().flatten().map(ToString::to_string).collect();
+        layers.dedup();
+        let portals = self.portals.as_deref().unwrap_or_default();
+        for (what, words) in [
+            (path, &points[..]),
+            ("layers", &layers),
+            ("corners", &self.corners),
+            ("faces", &self.faces),
+            ("portals", portals),
+        ] {
+            if !words.is_empty() {
+                writeln!(out, "  {what:<8}{}", words.join(" "))?;
+            }
+        }
+        let entered = if self.layers.is_some() {
+            format!("{} looked behind", self.expansions)
+        } else {
+            format!("{} entered", faces(self.expansions as usize))
+        };
+        writeln!(out, "  {:<8}{} taken from the queue, {entered}", "work", self.pops)?;
+        Ok(())
+    }
+}
+
+/// Tells the paths: one in full, several as a table.
+pub(super) fn tell(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
+    if let [row] = rows {
+        return row.print(out);
+    }
+    let is_map = rows.iter().any(|row| row.layers.is_none());
+    let head = ["algorithm", "length", "of the exact", "faces", "corners", "from queue", "entered"];
+    let mut lines = vec![head.map(str::to_owned)];
+    for row in rows {
+        lines.push([
+            row.algorithm.to_owned(),
+            format!("{:.6}", row.length),
+            row.ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.6}")),
+            row.faces.len().to_string(),
+            row.corners.len().to_string(),
+            row.pops.to_string(),
+            row.expansions.to_string(),
+        ]);
+    }
+    // A search over a surface enters no faces.
+    lines.iter_mut().filter(|_| !is_map).for_each(|line| line[6].clear());
+    Ok(table(out, &lines)?)
+}
+
+/// The answer with these paths; if there are none, what lies apart. Agents on a floor in space have no radius.
+pub(super) fn answer<S: Serialize, A: Serialize>(
+    source: &str,
+    radius: Option<Option<f64>>,
+    [start, goal]: [S; 2],
+    [start_moved, goal_moved]: [Option<f64>; 2],
+    apart: Option<A>,
+    routes: &[Row],
+) -> impl Serialize {
+    fields! {
+        source,
+        #[serde(flatten)]
+        radius: radius.map(|radius| fields! { radius }),
+        start,
+        goal,
+        // How far the start was moved to stand on the mesh, and the goal.
+        start_moved,
+        goal_moved,
+        found: apart.is_none(),
+        apart,
+        routes,
+    }
+}
+
+/// Of several places at the ends of a path those of the shortest one. Tells which, and why there are several.
+pub(super) fn choose<P: Copy>(
+    ends: &[(&str, String, &[P]); 2],
+    why: &str,
+    face: impl Fn(&P) -> FaceId,
+    shortest: impl FnOnce() -> Option<[usize; 2]>,
+) -> [P; 2] {
+    let [starts, goals] = [ends[0].2, ends[1].2];
+    if starts.len() == 1 && goals.len() == 1 {
+        return [starts[0], goals[0]];
+    }
+    let [i, k] = shortest().unwrap_or_default();
+    for ((what, at, places), chosen) in ends.iter().zip([i, k]).filter(|((.., places), _)| places.len() > 1) {
+        let others: Vec<String> = places.iter().map(|place| face(place).to_string()).collect();
+        let (others, face) = (others.join(", "), face(&places[chosen]));
+        say(
+            "note",
+            format_args!(
+                "the {what} {at} is {why}, in {others}: the shortest path is that of {face}; --{what}-face chooses"
+            ),
+        );
+    }
+    [starts[i], goals[k]]
+}
+
+/// A path over links, as it is told.
+pub(super) struct Linked<'a, L> {
+    /// What its legs and links cost.
+    pub(super) cost: f64,
+    /// The legs, and each in words.
+    pub(super) legs: Vec<(L, String)>,
+    /// Between the legs, by their order on the command line, from 0.
+    pub(super) links: &'a [usize],
+}
+
+/// Tells a path over links, if there is one: else there is none `from ... to ...`. A link is named by its ends.
+pub(super) fn tell_linked<L: Serialize>(
+    (source, json): (&str, bool),
+    algorithm: PathAlgorithm,
+    path: Option<&Linked<'_, L>>,
+    (link, none): (impl Fn(usize) -> String, impl FnOnce() -> String),
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let answer = if path.is_some() { Answer::Yes } else { Answer::No };
+    if json {
+        let legs: Vec<&L> = path.iter().flat_map(|path| &path.legs).map(|(leg, _)| leg).collect();
+        let (cost, links) = (path.map(|path| path.cost), path.map_or(&[][..], |path| path.links));
+        let algorithm = algorithm.name();
+        out.json(&fields! { source, algorithm, found: path.is_some(), cost, legs, links })?;
+        return Ok(answer);
+    }
+    let Some(Linked { cost, legs, links }) = path else {
+        writeln!(out, "no path: neither {}", none())?;
+        return Ok(answer);
+    };
+    writeln!(out, "{algorithm}: {cost}, over {}", counted(links.len(), "link", "links"))?;
+    for (i, (_, leg)) in legs.iter().enumerate() {
+        if let Some(&before) = i.checked_sub(1).and_then(|before| links.get(before)) {
+            writeln!(out, "  link    {}", link(before))?;
+        }
+        writeln!(out, "  leg     {leg}")?;
+    }
+    Ok(answer)
+}
