@@ -169,6 +169,22 @@ fn larger_bundles_settle_on_coarse_and_fine_grids() {
     assert!(collapsed > 100, "{collapsed}");
 }
 
+/// Random pieces of one line whose ends are rounded to doubles: bent pieces cross more often in every round, so that the
+/// rounds are given up before they grow out of hand.
+#[test]
+fn overlapping_pieces_of_one_line_settle_before_they_grow() {
+    let mut next = Numbers::new(77);
+    let mut end = || {
+        let x = 200.0 * next.unit();
+        Point::new(x, 3.0 * x / 7.0)
+    };
+    let segments: Vec<Segment> = (0..100).map(|_| [end(), end()]).collect();
+    let arranged = arrange(&segments, &SPLIT, "pieces of a line");
+    assert_settled(&arranged, &segments, "pieces of a line");
+    assert!(arranged.grid.is_some() && arranged.rounds < 5, "{} rounds", arranged.rounds);
+    assert!(arranged.farthest < 2e-13, "{}", arranged.farthest);
+}
+
 /// `defects/unsettled.segments`
 #[test]
 fn unsettled_segments_settle() {

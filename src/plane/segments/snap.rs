@@ -50,7 +50,8 @@ pub(super) struct Plain<'a> {
 
 /// Rounds the parts of the graph in which edges meet; all of it if there is a `grid`. The graph becomes the result.
 ///
-/// Cost: O((n + k) log n) for n edges with k crossings that are not yet rounded, and O(√n) for each long edge.
+/// Cost: O((n + k) log n) for n edges with k crossings that are not yet rounded, O(√n) for each long edge, and the length of
+/// all chains: in a bundle of edges that run along each other, each of them passes the crossings of all.
 pub(super) fn snap(graph: &mut Graph, plain: &Plain<'_>, grid: Option<Grid>) -> Split {
     let mut parts = Parts::new(graph);
     if grid.is_some() {
@@ -110,15 +111,17 @@ impl Parts {
     }
 }
 
-/// Points of all edges that meet others where they should not, and of the points on them.
+/// Points of all edges that meet others where they should not, and of the points on them. Where they meet more often than
+/// there are edges, the first ones: what is missed is looked for again.
 fn meeting_points(graph: &Graph) -> Vec<u32> {
     let mut points = Vec::new();
+    let most = 4 * graph.edges.len() + 4;
     let _ = visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| {
         points.extend(event.through.iter().map(|&e| graph.edges[e as usize][0]));
         if let EventPlace::Vertex(v) = event.place {
             points.push(v);
         }
-        ControlFlow::Continue(())
+        if points.len() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     points
 }

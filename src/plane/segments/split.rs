@@ -12,7 +12,8 @@
 //! proof that the result has no intersections, whatever was rounded before.
 //!
 //! In bundles of lines a few last bits apart, every round may make new crossings between the doubles. What has not
-//! settled after four rounds is therefore rounded to a grid, which always settles: see `snap.rs`.
+//! settled after four rounds, or finds more in a later round than there was before, is therefore rounded to a grid, which
+//! always settles: see `snap.rs`.
 
 use super::chains::Split;
 use super::graph::{Graph, Single};
@@ -41,7 +42,9 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (On
     let edges = graph.edges.clone();
     let mut split = Split::none(edges.len());
     while grid.is_none() && split.rounds < PLAIN_ROUNDS {
-        let Cuts { cuts, new } = find_cuts(graph);
+        // Bent edges that cross more often than all before them do not settle: every round would find still more.
+        let most = if split.rounds == 0 { usize::MAX } else { graph.edges.len() };
+        let Some(Cuts { cuts, new }) = find_cuts(graph, most) else { break };
         if cuts.is_empty() {
             return Ok((split, look(graph)?));
         }
@@ -78,10 +81,11 @@ struct Cuts {
     new: Vec<(Point, f64)>,
 }
 
-fn find_cuts(graph: &Graph) -> Cuts {
+/// Where edges are to be cut; none if there are more than `most` crossings.
+fn find_cuts(graph: &Graph, most: usize) -> Option<Cuts> {
     let mut found = Cuts { cuts: Vec::new(), new: Vec::new() };
     let old = graph.points.len() as u32;
-    let _ = visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| {
+    let flow = visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| {
         let point = match event.place {
             EventPlace::Vertex(v) => v,
             EventPlace::Crossing(crossing) => {
@@ -90,9 +94,9 @@ fn find_cuts(graph: &Graph) -> Cuts {
             }
         };
         found.cuts.extend(event.through.iter().map(|&edge| (edge, point)));
-        ControlFlow::Continue(())
+        if found.new.len() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    found
+    flow.is_continue().then_some(found)
 }
 
 /// The pieces of all edges, and where those of each edge start. A piece has two different ends.
