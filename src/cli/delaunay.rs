@@ -157,13 +157,18 @@ fn draw(made: &Made, circles: bool, options: &FigureOptions) -> Result<Figure, F
 
 fn say_notes(made: &Made) {
     let (repeated, s) = (&made.repeated, &made.subdivision);
+    tell_repeated(repeated);
+    if s.face_count() == 1 && s.vertex_count() > 2 {
+        say("note", "all points lie on one line: this is a path");
+    }
+}
+
+/// Says which points stand where earlier ones do.
+pub(super) fn tell_repeated(repeated: &[(u32, u32)]) {
     if !repeated.is_empty() {
         let first: Vec<String> =
             repeated.iter().take(5).map(|(point, earlier)| format!("{point} = {earlier}")).collect();
         let (count, rest) = (repeated.len(), if repeated.len() > 5 { ", ..." } else { "" });
         say("note", format_args!("points that repeat earlier ones, {count}: {}{rest}", first.join(", ")));
-    }
-    if s.face_count() == 1 && s.vertex_count() > 2 {
-        say("note", "all points lie on one line: this is a path");
     }
 }

@@ -130,6 +130,16 @@ impl Failure {
     }
 
     /// What is wrong.
+    /// What helps, if anything is known to.
+    pub(crate) fn help(&self) -> &str {
+        &self.help
+    }
+
+    /// The same with other help.
+    pub(crate) fn helped_by(self, help: &str) -> Self {
+        Self { help: help.to_owned(), ..self }
+    }
+
     pub(crate) fn what(&self) -> &str {
         &self.what
     }
@@ -265,6 +275,9 @@ impl From<LoadError> for Failure {
 /// The options that help with an input.
 fn flags(error: &LoadError) -> Option<&'static str> {
     match error {
+        LoadError::Holes { .. } => {
+            Some("a point of a hole lies inside a ring, and not on it: move it there, or leave it out")
+        }
         LoadError::Segments { error: SegmentsError::Faults { .. }, .. } => {
             Some("split segments where they meet with --mend")
         }

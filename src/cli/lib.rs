@@ -59,10 +59,11 @@ pub use lab::program_sources;
 
 use answer::Answer;
 use choice::commands;
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches, Parser};
 use dcel_lab::judge::Judge;
 use failure::Failure;
 use output::Output;
+use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -173,7 +174,7 @@ fn answered() -> ExitCode {
     let mut out = Output::new();
     let json = failure::is_json_wanted();
     let (arguments, old) = old_words::current(std::env::args_os());
-    let command = match Cli::try_parse_from(arguments) {
+    let command = match parsed(arguments) {
         Ok(cli) => cli.command,
         Err(error) if error.use_stderr() => {
             if json {
@@ -195,6 +196,20 @@ fn answered() -> ExitCode {
         Ok(answer)
     });
     ended(answer, json, &mut out)
+}
+
+/// What the arguments ask for. No option is called by a digit: -1 is a number, also where it will be refused.
+fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Error> {
+    fn with_numbers(command: clap::Command) -> clap::Command {
+        let numbers = |arg: clap::Arg| {
+            let takes = !arg.is_positional() && arg.get_action().takes_values();
+            if takes { arg.allow_negative_numbers(true) } else { arg }
+        };
+        command.mut_args(numbers).mut_subcommands(with_numbers)
+    }
+    let mut command = with_numbers(Cli::command());
+    let matches = command.try_get_matches_from_mut(arguments)?;
+    Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
 /// Tells why there is no answer, if there is none.

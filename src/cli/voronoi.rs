@@ -1,6 +1,7 @@
 //! `dcel voronoi`: the cells of nearest sites.
 
 use super::answer::fields;
+use super::delaunay::tell_repeated;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::results::Results;
@@ -50,6 +51,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     list.notes.iter().for_each(|note| say("note", note));
     list.check_room(BYTES_PER_SITE)?;
     let built = Subdivision::delaunay(&list.points).map_err(|error| Failure::about(&list.source, error))?;
+    tell_repeated(&built.repeated);
     let window = match args.window.as_deref() {
         Some(&[left, bottom, right, top]) => Window { low: Point::new(left, bottom), high: Point::new(right, top) },
         _ => Window::around(&list.points),
@@ -109,5 +111,9 @@ fn refused(list: &PointList, built: &DelaunayBuilt, error: &VoronoiError) -> Fai
         return Failure::about(&list.source, error);
     };
     let point = built.vertices.iter().position(|v| v == site);
-    Failure::about(list.place(point.unwrap_or(usize::MAX)), error)
+    let failure = Failure::about(list.place(point.unwrap_or(usize::MAX)), error);
+    match error {
+        VoronoiError::SiteOutside { .. } => failure.helped_by("give a larger --box, or leave it out"),
+        _ => failure,
+    }
 }

@@ -96,3 +96,19 @@ fn standard_output_that_fails_is_told_on_standard_error_alone() {
         assert!(error.starts_with("error: <stdout>: cannot be written"), "{error}");
     }
 }
+
+#[test]
+fn numbers_below_zero_are_numbers_and_helps_can_be_followed() {
+    let folder = Folder::new();
+    folder.write("cross.segments", "0 0 4 4\n0 4 4 0\n");
+    folder.dcel("build cross.segments --mend --grid -1").fails(2, "-1", "");
+    let told = folder.dcel("build cross.segments --mend --grid -1");
+    assert!(!told.err.contains("unexpected argument") && !told.err.contains("-- -1"), "{told:?}");
+    folder.write("sites.xy", "0 0\n4 0\n0 4\n4 0\n");
+    folder.dcel("info sites.xy").fails(2, "the format is not known", "help: points alone have no faces: dcel delaunay");
+    folder.dcel("voronoi sites.xy --box 0 0 1 1").fails(2, "does not lie inside the window", "help: give a larger --box");
+    assert!(folder.dcel("voronoi sites.xy").err.contains("note: points that repeat earlier ones, 1: 3 = 1"));
+    folder.write("plan.segments", "0 0 4 0\n4 0 0 4\n0 4 0 0\n");
+    folder.dcel("build plan.segments --hole 99,99").fails(2, "lies in the outer face", "help: a point of a hole lies");
+    folder.dcel("compare none.svg square.obj").fails(2, "none.svg: cannot be read", "help: check the name");
+}

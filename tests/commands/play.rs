@@ -71,6 +71,13 @@ fn a_file_is_put_into_the_page_and_a_bad_one_is_refused() {
     told.fails(2, "thrice.obj:6: the edge between vertices 0 and 1 has 3 faces", "help: leave faces out");
     folder.dcel("play missing.obj --no-open").fails(2, "missing.obj: cannot be read", "check the name");
     folder.dcel("play plan.obj -o plan.obj --no-open").fails(2, "the input itself", "");
+    // What helps is what this command has.
+    folder.write("rings.json", r#"{"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 0], [0, 0]]]}"#);
+    folder.dcel("play rings.json --no-open").fails(2, "encloses nothing", "help: correct the data, or give --mend");
+    assert!(!folder.dcel("play rings.json --no-open").err.contains("--drop-degenerate-rings"));
+    folder.write("broken.json", "{");
+    let told = folder.dcel("play broken.json --no-open");
+    assert!(told.err.contains("not JSON") && !told.err.contains("dcel figure"), "{told:?}");
     // What crosses is cut where it does, on request.
     folder.write("cross.segments", "0 0 4 4\n0 4 4 0\n");
     folder.dcel("play cross.segments --no-open").fails(2, "cross", "");

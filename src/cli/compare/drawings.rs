@@ -56,8 +56,9 @@ pub(super) fn run(args: &Args, target: Option<&Target>, out: &mut Output) -> Res
 /// The bytes of a file.
 fn read(file: &Path) -> Result<Vec<u8>, Failure> {
     use std::io::Read;
-    let unreadable =
-        |error: std::io::Error| Failure::input(format!("{}: cannot be read: {error}", source_name(file)), "");
+    let unreadable = |error: std::io::Error| {
+        Failure::input(format!("{}: cannot be read: {error}", source_name(file)), "check the name of the file")
+    };
     if file.is_dir() {
         return Err(Failure::input(format!("{}: it is a directory", source_name(file)), "give a file in it"));
     }

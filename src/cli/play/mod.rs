@@ -48,7 +48,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let page = match &args.file {
         None => PLAYGROUND.to_owned(),
         Some(file) if args.mend => with(&format!("{}.dcel", title(file)), &mended(file)?)?,
-        Some(file) => with(&name_of(file), &read_whole(file)?)?,
+        Some(file) => {
+            let bytes = read_whole(file)?;
+            with(&name_of(file), &bytes).map_err(|failure| better_told(file, &bytes, failure))?
+        }
     };
     put(&target, page)?;
     if target.as_os_str() == "-" {
@@ -85,6 +88,21 @@ fn mended(file: &Path) -> Result<Vec<u8>, Failure> {
 
 /// What is said of a refusal that has no help of its own.
 const SIZES: &str = "the playground shows structures that a hand can edit; dcel info and dcel figure take all others";
+/// What helps where polygons, rings or segments do not fit.
+const MEND: &str = "correct the data, or give --mend: what crosses is split, what has no area is left out";
+
+/// The refusal of a file that no command reads as it is, as those commands tell it: with the options that help here.
+fn better_told(file: &Path, bytes: &[u8], refusal: Failure) -> Failure {
+    let format = Format::from_path(file).filter(|format| format.can_read()).or_else(|| Format::from_content(bytes));
+    if format.is_none() || file.as_os_str() == "-" {
+        return refusal;
+    }
+    match InputOptions::default().open_as(file, false) {
+        Err(failure) if failure.help().contains("--mend") => failure.helped_by(MEND),
+        Err(failure) => failure,
+        Ok(_) => refusal,
+    }
+}
 
 /// The page with a file, which it can open.
 fn with(name: &str, bytes: &[u8]) -> Result<String, Failure> {
