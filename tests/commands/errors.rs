@@ -110,5 +110,5 @@ fn numbers_below_zero_are_numbers_and_helps_can_be_followed() {
     assert!(folder.dcel("voronoi sites.xy").err.contains("note: points that repeat earlier ones, 1: 3 = 1"));
     folder.write("plan.segments", "0 0 4 0\n4 0 0 4\n0 4 0 0\n");
     folder.dcel("build plan.segments --hole 99,99").fails(2, "lies in the outer face", "help: a point of a hole lies");
-    folder.dcel("compare none.svg square.obj").fails(2, "none.svg: cannot be read", "help: check the name");
+    folder.dcel("compare none.svg mine.svg").fails(2, "none.svg: cannot be read", "help: check the name");
 }
