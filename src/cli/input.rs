@@ -3,7 +3,8 @@
 use super::failure::{Failure, say};
 use super::subject::{Kind, Subject};
 use dcel_kit::io::{
-    Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path, source_name,
+    Document, Format, LoadError, LoadOptions, Read, ReadError, ReadOptions, ReadProblem, Structure, assemble,
+    points_from_text, read_path, read_whole, source_name,
 };
 use dcel_kit::topology::Mode;
 use std::path::Path;
@@ -112,7 +113,7 @@ impl InputOptions {
 
     fn load(&self, file: &Path, keep_tables: bool, tell: &dyn Fn(&str)) -> Result<Opened, Failure> {
         let options = self.load_options();
-        let read = read_path(file, &options.read)?;
+        let read = read_path(file, &options.read).map_err(|error| unread(file, error))?;
         let source = source_name(file);
         self.refuse_useless(&read, &source)?;
         if self.full_check {
@@ -257,6 +258,17 @@ impl InputOptions {
         };
         LoadOptions { read, orient: self.orient, mend: self.mends(), trust: self.trust, mode }
     }
+}
+
+/// The failure of a file that was not read. Points alone are in no format of structures, but they are known.
+fn unread(file: &Path, error: ReadError) -> Failure {
+    let has_points = || points_from_text(&read_whole(file).ok()?, "").ok().filter(|list| !list.points.is_empty());
+    if matches!(*error.what, ReadProblem::UnknownFormat) && file != Path::new("-") && has_points().is_some() {
+        return Failure::from(error).helped_by(
+            "points alone have no faces: dcel delaunay joins them to triangles, dcel voronoi makes their cells",
+        );
+    }
+    error.into()
 }
 
 /// The text of a file that belongs to the command, and not to what it computes.

@@ -53,6 +53,9 @@ fn hand_out<T: Send, const N: usize>(
     work: &(impl Fn(usize, [&mut [T]; N]) + Sync),
 ) {
     let rows = columns.iter().map(|column| column.len()).min().unwrap_or(0);
+    if rows == 0 {
+        return;
+    }
     if rows <= size {
         return work(first, columns);
     }

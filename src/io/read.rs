@@ -2,7 +2,6 @@
 
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
-use super::points::points_from_text;
 use super::problem::{ReadError, ReadProblem};
 use super::room::too_little;
 use super::text::{LARGEST_FILE, note_of_the_end};
@@ -122,13 +121,7 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
         None if bytes.is_empty() => Err(ReadError::whole(&source, ReadProblem::Empty, "")),
         None => {
             let names: Vec<_> = Format::ALL.into_iter().filter(|f| f.can_read()).map(Format::name).collect();
-            let help = match points_from_text(&bytes, &source) {
-                Ok(list) if !list.points.is_empty() => {
-                    "points alone have no faces: dcel delaunay joins them to triangles, dcel voronoi makes their cells"
-                        .into()
-                }
-                _ => format!("say it: {}", names.join(", ")),
-            };
+            let help = format!("say it: {}", names.join(", "));
             Err(ReadError::whole(&source, ReadProblem::UnknownFormat, help))
         }
     }
