@@ -106,7 +106,11 @@ fn numbers_below_zero_are_numbers_and_helps_can_be_followed() {
     assert!(!told.err.contains("unexpected argument") && !told.err.contains("-- -1"), "{told:?}");
     folder.write("sites.xy", "0 0\n4 0\n0 4\n4 0\n");
     folder.dcel("info sites.xy").fails(2, "the format is not known", "help: points alone have no faces: dcel delaunay");
-    folder.dcel("voronoi sites.xy --box 0 0 1 1").fails(2, "does not lie inside the window", "help: give a larger --box");
+    folder.dcel("voronoi sites.xy --box 0 0 1 1").fails(
+        2,
+        "does not lie inside the window",
+        "help: give a larger --box",
+    );
     assert!(folder.dcel("voronoi sites.xy").err.contains("note: points that repeat earlier ones, 1: 3 = 1"));
     folder.write("plan.segments", "0 0 4 0\n4 0 0 4\n0 4 0 0\n");
     folder.dcel("build plan.segments --hole 99,99").fails(2, "lies in the outer face", "help: a point of a hole lies");
