@@ -34,6 +34,9 @@ pub(super) fn paint(text: &str) -> Paint {
         return match name {
             "rgb" | "rgba" => rgb(inside),
             "hsl" | "hsla" => hsl(inside),
+            "hwb" => hwb(inside),
+            // Nobody who only looks has asked for the dark one.
+            "light-dark" => light(inside).map(paint),
             _ => None,
         }
         .unwrap_or(Paint::Some);
@@ -108,6 +111,29 @@ fn hsl(text: &str) -> Option<Paint> {
     Some(covering([channel(0.0), channel(8.0), channel(4.0)], p.get(3).copied().unwrap_or(1.0)))
 }
 
+/// The first of two colours: the comma between them stands within no brackets.
+fn light(text: &str) -> Option<&str> {
+    let mut depth = 0;
+    let comma = text.find(|c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth == 0 && c == ','
+    })?;
+    Some(&text[..comma])
+}
+
+fn hwb(text: &str) -> Option<Paint> {
+    let p = parts(text, [360.0, 1.0, 1.0, 1.0])?;
+    let (white, black) = (p[1].clamp(0.0, 1.0), p[2].clamp(0.0, 1.0));
+    let sum = (white + black).max(1.0);
+    let (white, black) = (white / sum, black / sum);
+    let channel = |n: f64| {
+        let k = (n + p[0].rem_euclid(360.0) / 30.0) % 12.0;
+        let pure = 0.5 - 0.5 * (k - 3.0).min(9.0 - k).clamp(-1.0, 1.0);
+        255.0 * (white + pure * (1.0 - white - black))
+    };
+    Some(covering([channel(0.0), channel(8.0), channel(4.0)], p.get(3).copied().unwrap_or(1.0)))
+}
+
 /// The named colours of CSS, sorted by name (W3C, CSS Color Module Level 4, section 6.1).
 #[rustfmt::skip]
 const NAMES: [(&str, u32); 148] = [
@@ -160,10 +186,21 @@ mod tests {
         {
             assert_eq!(paint(white), Paint::Colour([255; 3], 1.0), "{white}");
         }
-        for none in ["none", "transparent", "#0000", "#12345600", "rgb(1 2 3 / 0)", "rgba(9,9,9,0%)"] {
+        for none in [
+            "none",
+            "transparent",
+            "#0000",
+            "#12345600",
+            "rgb(1 2 3 / 0)",
+            "rgba(9,9,9,0%)",
+            "hwb(0 0% 0% / 0)",
+            "light-dark(none, red)",
+        ] {
             assert_eq!(paint(none), Paint::None, "{none}");
         }
-        for green in ["rgb(0 128 0 / 50%)", "rgba(0, 128, 0, .5)", "hsl(120deg 100% 25.1% / 0.5)"] {
+        for green in
+            ["rgb(0 128 0 / 50%)", "rgba(0, 128, 0, .5)", "hsl(120deg 100% 25.1% / 0.5)", "hwb(120 0% 49.8% / .5)"]
+        {
             assert_eq!(paint(green), Paint::Colour([0, 128, 0], 0.5), "{green}");
         }
         assert_eq!(paint("Teal"), Paint::Colour([0, 128, 128], 1.0));

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 pub(super) type Declaration<'n> = (Cow<'n, str>, Cow<'n, str>);
 
 /// Properties that have another meaning or none as attributes.
-const BY_STYLE: [&str; 7] = ["background", "background-color", "offset", "rotate", "scale", "translate", "zoom"];
+const BY_STYLE: [&str; 8] = ["all", "background", "background-color", "offset", "rotate", "scale", "translate", "zoom"];
 
 /// The properties of an element. `path` is what the rules look at: the tags from the root to the node.
 pub(super) fn declarations<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[Tag]) -> Vec<Declaration<'n>> {

@@ -113,6 +113,24 @@ pub enum Problem {
         /// Its selector, shortened.
         selector: String,
     },
+    /// A value of a property that browsers work out and a comparison does not.
+    #[error(
+        "`{declaration}` is not worked out here, and it may change what is seen: write a plain value, such as {such}"
+    )]
+    StyleValue {
+        /// The property and its value, shortened.
+        declaration: String,
+        /// What could stand there.
+        such: &'static str,
+    },
+    /// A style sheet that is no part of the file.
+    #[error(
+        "{what} brings in a style sheet from outside of the drawing, which is not read: write its rules in a <style>"
+    )]
+    StyleSheet {
+        /// The element or instruction.
+        what: &'static str,
+    },
     /// An animation of something that is compared.
     #[error(
         "<{element}> changes {what} after a moment, and a comparison looks at one moment only: take it out, or compare \

@@ -14,6 +14,7 @@ use super::geometry::Geometry;
 use super::markers::{Markers, Stand};
 use super::numbers;
 use super::served::{Served, Servers};
+use super::values::{is_unread, plainly};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::Node;
 use std::rc::Rc;
@@ -26,6 +27,7 @@ const DASHED: f64 = 0.2;
 pub(super) enum Hidden {
     NoStroke,
     NoWidth,
+    Thin,
     Transparent,
     Faint,
     Paper,
@@ -49,6 +51,7 @@ impl Hidden {
         let [one, many] = match self {
             Self::NoStroke => ["it has no stroke", "they have no stroke"],
             Self::NoWidth => ["its stroke-width is 0", "their stroke-width is 0"],
+            Self::Thin => ["its line is thinner than 0.1 px", "their lines are thinner than 0.1 px"],
             Self::Transparent => ["its opacity is 0", "their opacity is 0"],
             Self::Faint => ["it is almost transparent", "they are almost transparent"],
             Self::Paper => ["it has the colour of the paper", "they have the colour of the paper"],
@@ -160,6 +163,8 @@ pub(super) struct Own {
     pub(super) ground: Option<Paint>,
     /// A property that moves the element in a way that is not read.
     pub(super) unread: Option<String>,
+    /// Properties whose values are not worked out, as they are written.
+    pub(super) unworked: Vec<(String, String)>,
     /// An animation by rules, as it is written.
     pub(super) animation: Option<String>,
     /// The point about which it is turned, as it is written.
@@ -199,29 +204,39 @@ impl Ink {
     }
 
     fn set(&mut self, key: &str, value: &str, around: &Self, own: &mut Own) {
-        let value = value.trim();
+        let value = plainly(key, value.trim());
+        own.unworked.retain(|(other, _)| other != key);
+        if is_unread(key, value) {
+            own.unworked.push((key.to_owned(), value.to_owned()));
+        }
         let inherits = value == "inherit";
         let none = value == "none";
         match key {
             "display" => own.hidden = none,
             "visibility" if inherits => self.visible = around.visible,
             "visibility" => self.visible = value == "visible",
-            "color" if !inherits => self.colour = paint(value),
+            "color" if inherits => self.colour = around.colour,
+            "color" => self.colour = paint(value),
             "fill" if inherits => {
                 (self.fill, self.flat[0], self.hatched) = (around.fill, around.flat[0], around.hatched);
             }
             "fill" => {
                 Served { paint: self.fill, flat: self.flat[0], is_server: self.hatched } = self.servers.paint(value);
             }
+            "fill-rule" if inherits => self.even_odd = around.even_odd,
             "fill-rule" => self.even_odd = value == "evenodd",
             "stroke" if inherits => (self.stroke, self.flat[1]) = (around.stroke, around.flat[1]),
             "stroke" => Served { paint: self.stroke, flat: self.flat[1], .. } = self.servers.paint(value),
             "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
+            "stroke-linecap" if inherits => self.round = around.round,
             "stroke-linecap" => self.round = matches!(value, "round" | "square"),
+            "stroke-dasharray" if inherits => self.dashes = Rc::clone(&around.dashes),
             "stroke-dasharray" => self.dashes = dashes(value),
+            "stroke-dashoffset" if inherits => self.dash_start = around.dash_start,
             "stroke-dashoffset" => self.dash_start = numbers::measure(value).unwrap_or(0.0),
             "fill-opacity" => self.fill_opacity = fraction(value).unwrap_or(around.fill_opacity),
             "stroke-opacity" => self.stroke_opacity = fraction(value).unwrap_or(around.stroke_opacity),
+            "opacity" if inherits => self.opacity = around.opacity * around.opacity,
             // The one property that adds up instead of being handed down.
             "opacity" => self.opacity = around.opacity * fraction(value).unwrap_or(1.0),
             "mask" | "mask-image" | "filter" | "mix-blend-mode" => {

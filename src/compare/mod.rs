@@ -36,6 +36,7 @@
 //!   tags.rs        Elements as rules see them
 //!   tiles.rs       How much of its tile a pattern paints
 //!   transform.rs   Transforms
+//!   values.rs      Values that browsers work out and a comparison does not
 //!   viewport.rs    Viewports
 //!   yours.rs       What was handed in, drawn small beside the differences
 //! ```
@@ -69,7 +70,8 @@
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is not
 //! understood what it fits, an animation of anything that is read, a box in a `foreignObject` that may reach anywhere, and
-//! properties that move an element otherwise than by `transform`.
+//! properties that move an element otherwise than by `transform`; values that browsers work out and a comparison does not
+//! (`var(...)`, `calc(...)`, `color-mix(...)`, widths in `em`), and style sheets outside of the file.
 //!
 //! # What has to be seen
 //!
@@ -77,7 +79,8 @@
 //! the small box of a label may hide its middle. A vertex is seen if its circle is, and reaches no other vertex. A face
 //! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
 //! off by a clip path or the `viewBox`, left out by dashes, transparent, painted by a gradient that is not there, below
-//! large letters or markers, or behind a mask or filter is told, with the reason. What the reference's own drawing hides
+//! large letters or markers, or behind a mask or filter, or drawn with a line of less than 0.1 px (a screen shows a tenth of
+//! its ink, the drawing at least 600 px large, or 1200 px if no size is given) is told, with the reason. What the reference's own drawing hides
 //! nobody has to show. Colours themselves are not compared.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
@@ -132,6 +135,7 @@ mod tables;
 mod tags;
 mod tiles;
 mod transform;
+mod values;
 mod viewport;
 mod yours;
 

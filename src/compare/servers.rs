@@ -12,6 +12,7 @@ use super::ink::{Ink, fraction};
 use super::markup::is_svg;
 use super::served::{Server, Servers};
 use super::tags::{size, tag};
+use super::values::{is_unread, unworked};
 use super::{numbers, tiles};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::{Document, Node};
@@ -107,6 +108,9 @@ impl Work<'_, '_> {
             let tags = self.path(stop)?;
             let (mut colour, mut opacity) = (Paint::Colour([0; 3], 1.0), 1.0);
             for (key, value) in declarations(stop, self.rules, &tags) {
+                if is_unread(&key, &value) && matches!(&*key, "all" | "stop-color" | "stop-opacity") {
+                    return Err(unworked(stop.range().start, &key, &value));
+                }
                 match &*key {
                     "stop-color" => colour = paint(&value),
                     "stop-opacity" => opacity = fraction(&value).unwrap_or(1.0),

@@ -34,6 +34,7 @@ use super::pairing::distance;
 use super::served::Servers;
 use super::tags::{size, tag};
 use super::transform::Transform;
+use super::values::unworked;
 use super::viewport::{self, Room};
 use super::{animations, declared, numbers};
 use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
@@ -152,6 +153,7 @@ impl Drawing {
             path: Vec::new(),
             ids: BTreeMap::new(),
             kit,
+            unit: 1.0,
             // Tiles draw the faces roughly.
             fills: !(kit && root.attribute("data-detail") == Some("tiles")),
             clips: BTreeMap::new(),
@@ -174,6 +176,7 @@ impl Drawing {
         let servers = Servers::read(document, &reader.rules)?;
         let sheet = root::sheet(root, &reader.rules)?;
         let room = sheet.room;
+        reader.unit = sheet.unit;
         reader.out.notes.extend(sheet.note.map(str::to_owned));
         let mut around = Around { room, transform: sheet.stretch, ink: Ink::with(servers), ..Around::default() };
         if let Some(paint) = sheet.ground {
@@ -265,6 +268,8 @@ pub(in crate::compare) struct Reader<'a, 'i> {
     /// Elements by id; filled when the first one is needed.
     ids: BTreeMap<&'a str, Node<'a, 'i>>,
     pub(in crate::compare) kit: bool,
+    /// How many px a unit of the canvas is shown as.
+    pub(in crate::compare) unit: f64,
     pub(in crate::compare) fills: bool,
     /// Clips that were met, by the place of their element, the clip around and the transform.
     clips: BTreeMap<(usize, Option<u32>, [u64; 6]), u32>,
@@ -375,6 +380,17 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Err(word(offset, &text, "property that is read here: write a transform in its place"));
         }
         let name = node.tag_name().name();
+        // Colours of letters, and of what asks for none, change nothing; only the root has a ground.
+        let matters = |key: &str| match key {
+            "fill" => !animations::is_text(name),
+            "color" => self.document.input_text().to_ascii_lowercase().contains("currentcolor"),
+            "color-scheme" => self.document.input_text().to_ascii_lowercase().contains("light-dark("),
+            "background" | "background-color" => node == self.document.root_element(),
+            _ => true,
+        };
+        if let Some((key, value)) = own.unworked.iter().find(|(key, _)| matters(key)) {
+            return Err(unworked(offset, key, value));
+        }
         if let Some(text) = own.animation.as_deref().filter(|_| self.keyframes && !animations::is_text(name)) {
             let what = format!("how <{}> looks, by `{}`,", quoted(name), quoted(text));
             return Err(Fault::at(offset, Problem::Animation { element: "style".to_owned(), what }));

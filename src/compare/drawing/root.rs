@@ -19,8 +19,15 @@ use roxmltree::{Document, Node};
 
 /// Characters of style sheets.
 const CSS: usize = 1 << 18;
+const XHTML: &str = "http://www.w3.org/1999/xhtml";
+/// Px of a window.
+const WINDOW: f64 = 1200.0;
 
 pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
+    if let Some(node) = document.root().descendants().find(is_from_outside) {
+        let what = if node.is_pi() { "<?xml-stylesheet?>" } else { "<link>" };
+        return Err(Fault::at(node.range().start, Problem::StyleSheet { what }));
+    }
     let mut css = String::new();
     for node in document.descendants().filter(|n| n.tag_name().name() == "style") {
         node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| css.push_str(text));
@@ -32,12 +39,22 @@ pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
     Ok(bare(&css))
 }
 
+/// Whether a node brings in a style sheet from outside: an instruction, or a link of XHTML.
+fn is_from_outside(node: &Node<'_, '_>) -> bool {
+    let is_sheet = |word: &str| word.eq_ignore_ascii_case("stylesheet");
+    node.pi().is_some_and(|instruction| instruction.target == "xml-stylesheet")
+        || node.has_tag_name((XHTML, "link"))
+            && node.attribute("rel").is_some_and(|words| words.split_whitespace().any(is_sheet))
+}
+
 /// How the root is shown.
 pub(super) struct Sheet {
     /// The part of the plane that is shown, y down, before it is stretched.
     pub(super) room: Option<Room>,
     /// How the two sides are scaled against each other.
     pub(super) stretch: Transform,
+    /// How many px a unit is shown as.
+    pub(super) unit: f64,
     pub(super) note: Option<&'static str>,
     /// The colour behind it all, if its style says one.
     pub(super) ground: Option<Paint>,
@@ -57,14 +74,28 @@ pub(super) fn sheet(root: Node<'_, '_>, rules: &[Rule<'_>]) -> Result<Sheet, Fau
     let ratio = root.attribute("preserveAspectRatio").unwrap_or("");
     let Some(inside) = view_box.and_then(viewport::view_box) else {
         let room = size.map(|[width, height]| [0.0, 0.0, width, height]);
-        return Ok(Sheet { room, stretch: Transform::IDENTITY, note: None, ground });
+        return Ok(Sheet { room, stretch: Transform::IDENTITY, unit: unit(room, size), note: None, ground });
     };
     let stretch = size.map_or(Transform::IDENTITY, |size| viewport::stretch(inside, size, ratio));
     let is_open = viewport::stretches(ratio) && size.is_none() && own_size_is_open(root);
     let note = is_open.then_some(
         "preserveAspectRatio=\"none\" without width and height in px: the drawing is as wide and high as its window",
     );
-    Ok(Sheet { room: Some(viewport::shown(inside, size, ratio)), stretch, note, ground })
+    Ok(Sheet {
+        room: Some(viewport::shown(inside, size, ratio)),
+        stretch,
+        unit: unit(Some(inside), size),
+        note,
+        ground,
+    })
+}
+
+/// How many px a unit of the canvas is shown as: a small drawing is looked at enlarged, one without a size in a window.
+fn unit(room: Option<Room>, size: Option<[f64; 2]>) -> f64 {
+    let Some([.., width, height]) = room else { return 1.0 };
+    let side = width.max(height);
+    let shown = size.map_or(WINDOW, |[width, height]| width.max(height).max(0.5 * WINDOW));
+    if side > 0.0 { shown / side } else { 1.0 }
 }
 
 /// Whether the window says how wide and high the root is.

@@ -20,6 +20,8 @@ use roxmltree::Node;
 
 /// How far from its circle a round path may lie, as a part of the radius.
 const ROUND: f64 = 0.03;
+/// Of a line of fewer px than this, a screen shows less than a tenth of the ink.
+const THIN: f64 = 0.099;
 /// A line is one of no length if it is no longer than this part of half its width.
 const TINY: f64 = 0.1;
 /// Pieces of curves that make a circle, at least.
@@ -113,11 +115,18 @@ impl<'a, 'i> Reader<'a, 'i> {
         0.5 * around.ink.width() * if around.own.fixed_width { 1.0 } else { around.transform.growth() }
     }
 
+    /// Why a line of this style cannot be seen, wherever it lies.
+    fn hidden_line(&self, around: &Around) -> Option<Hidden> {
+        let unit = if around.own.fixed_width { 1.0 } else { self.unit };
+        let is_thin = 2.0 * Self::half_width(around) * unit < THIN;
+        around.ink.hidden_stroke().or(is_thin.then_some(Hidden::Thin))
+    }
+
     /// The lines of a polyline.
     fn trace(&mut self, node: Node<'_, '_>, points: &[(Point, bool)], closed: bool, what: &str, around: &Around) {
         let Some(&(first, _)) = points.first() else { return };
         let ink = &around.ink;
-        let hidden = ink.hidden_stroke();
+        let hidden = self.hidden_line(around);
         let (half, stroke) = (Self::half_width(around), ink.stroke());
         self.blank += usize::from(around.decorates && hidden.is_some() && (what == "line" || !ink.fills()));
         let is_mark = self.kit && node.attribute("class") == Some("dots");
@@ -184,13 +193,13 @@ impl<'a, 'i> Reader<'a, 'i> {
     }
 
     /// Why a circle of this style cannot be seen, wherever it lies.
-    fn hidden_circle(around: &Around) -> Option<Hidden> {
-        around.ink.hidden_stroke().and(around.ink.hidden_fill())
+    fn hidden_circle(&self, around: &Around) -> Option<Hidden> {
+        self.hidden_line(around).and(around.ink.hidden_fill())
     }
 
     /// A circle drawn by a path.
     fn round_path(&mut self, node: Node<'_, '_>, centre: Point, radius: f64, around: &Around) {
-        let hidden = Self::hidden_circle(around);
+        let hidden = self.hidden_circle(around);
         let one = 1.0 / radius;
         self.discs(Disc { centre, inverse: [one, 0.0, 0.0, one], from: 0.0, to: 1.0, reach: radius }, radius, around);
         let vertex = node.parent().and_then(declared::vertex);
@@ -229,7 +238,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         self.count(1, offset)?;
         let axes = [around.transform.turn([radii[0], 0.0]), around.transform.turn([0.0, radii[1]])].map(flipped);
         let determinant = axes[0].x * axes[1].y - axes[1].x * axes[0].y;
-        let mut hidden = Self::hidden_circle(around);
+        let mut hidden = self.hidden_circle(around);
         let reach = axes[0].x.hypot(axes[0].y).max(axes[1].x.hypot(axes[1].y));
         let radius = determinant.abs().sqrt();
         let around = &*around.of_circle(at, radius);

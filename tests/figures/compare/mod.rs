@@ -10,6 +10,7 @@ mod pen;
 mod rewrites;
 mod seen;
 mod tools;
+mod values;
 mod written;
 
 use crate::common;
