@@ -380,9 +380,9 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Err(word(offset, &text, "property that is read here: write a transform in its place"));
         }
         let name = node.tag_name().name();
-        // Colours of letters, and of what asks for none, change nothing; only the root has a ground.
+        // Colours and rims of letters, and what asks for no colour, change nothing; only the root has a ground.
         let matters = |key: &str| match key {
-            "fill" => !animations::is_text(name),
+            "fill" | "stroke-width" => !animations::is_text(name),
             "color" => self.document.input_text().to_ascii_lowercase().contains("currentcolor"),
             "color-scheme" => self.document.input_text().to_ascii_lowercase().contains("light-dark("),
             "background" | "background-color" => node == self.document.root_element(),
