@@ -6,7 +6,7 @@
 //!   help: ...
 //! ```
 //!
-//! With `--json` the same goes to standard output as well, in place of the answer: see [`ErrorReport`].
+//! With `--json` the same goes to standard output as well, in place of the answer: see [`Failure::report_json`].
 
 use super::Output;
 use super::answer::fields;
@@ -129,7 +129,6 @@ impl Failure {
         Self::new(Kind::Signal(signal), what, help)
     }
 
-    /// What is wrong.
     /// What helps, if anything is known to.
     pub(crate) fn help(&self) -> &str {
         &self.help
@@ -140,6 +139,7 @@ impl Failure {
         Self { help: help.to_owned(), ..self }
     }
 
+    /// What is wrong.
     pub(crate) fn what(&self) -> &str {
         &self.what
     }

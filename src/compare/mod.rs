@@ -79,9 +79,9 @@
 //! the small box of a label may hide its middle. A vertex is seen if its circle is, and reaches no other vertex. A face
 //! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
 //! off by a clip path or the `viewBox`, left out by dashes, transparent, painted by a gradient that is not there, below
-//! large letters or markers, or behind a mask or filter, or drawn with a line of less than 0.1 px (a screen shows a tenth of
-//! its ink, the drawing at least 600 px large, or 1200 px if no size is given) is told, with the reason. What the reference's own drawing hides
-//! nobody has to show. Colours themselves are not compared.
+//! large letters or markers, or behind a mask or filter is told, with the reason. So is a line of less than 0.1 px, of which
+//! a screen shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px if it has no size. What
+//! the reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
 //! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The

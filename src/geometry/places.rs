@@ -65,12 +65,10 @@ pub(crate) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
         for ends in starts.windows(2) {
             let cell = &mut list[ends[0] as usize..ends[1] as usize];
             if cell.len() > FEW {
-                cell.sort_unstable_by_key(|&i| (key(i), i));
-                for same in cell.chunk_by(|&i, &j| key(i) == key(j)) {
-                    same.iter().for_each(|&i| first_of[i as usize] = same[0]);
-                    let (x, y) = key(same[0]);
-                    column.push((x, y, same[0]));
-                }
+                of_crowd(cell, key, &mut first_of, |first| {
+                    let (x, y) = key(first);
+                    column.push((x, y, first));
+                });
                 continue;
             }
             let start = column.len();
@@ -89,6 +87,15 @@ pub(crate) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
     (first_of, by_place)
 }
 
+/// The same for the points of one cell, which are many: by a sort. Gives the first one of each place to `found`.
+fn of_crowd<K: Ord>(cell: &mut [u32], key: impl Fn(u32) -> K, first_of: &mut [u32], mut found: impl FnMut(u32)) {
+    cell.sort_unstable_by_key(|&i| (key(i), i));
+    for same in cell.chunk_by(|&i, &j| key(i) == key(j)) {
+        same.iter().for_each(|&i| first_of[i as usize] = same[0]);
+        found(same[0]);
+    }
+}
+
 /// For each point the number of the first one with the same coordinates, where -0 = 0. Cells are those of the first two.
 ///
 /// Cost: expected O(n) where points are spread over the plane of their first two coordinates; O(n log n) at worst.
@@ -102,10 +109,7 @@ pub(crate) fn first_of_equals<const N: usize>(points: &[[f64; N]]) -> Vec<u32> {
     for ends in starts.windows(2) {
         let cell = &mut list[ends[0] as usize..ends[1] as usize];
         if cell.len() > FEW {
-            cell.sort_unstable_by_key(|&i| (key(i), i));
-            for same in cell.chunk_by(|&i, &j| key(i) == key(j)) {
-                same.iter().for_each(|&i| first_of[i as usize] = same[0]);
-            }
+            of_crowd(cell, key, &mut first_of, |_| {});
             continue;
         }
         for (at, &i) in cell.iter().enumerate() {

@@ -42,6 +42,7 @@ use crate::figure::canvas::untold::{Untold, untold, untold_with};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -153,6 +154,7 @@ impl Drawing {
             path: Vec::new(),
             ids: BTreeMap::new(),
             kit,
+            asked: OnceCell::new(),
             unit: 1.0,
             // Tiles draw the faces roughly.
             fills: !(kit && root.attribute("data-detail") == Some("tiles")),
@@ -268,6 +270,8 @@ pub(in crate::compare) struct Reader<'a, 'i> {
     /// Elements by id; filled when the first one is needed.
     ids: BTreeMap<&'a str, Node<'a, 'i>>,
     pub(in crate::compare) kit: bool,
+    /// Whether something asks for the colour around, or whether it is dark around; looked for when it first matters.
+    asked: OnceCell<[bool; 2]>,
     /// How many px a unit of the canvas is shown as.
     pub(in crate::compare) unit: f64,
     pub(in crate::compare) fills: bool,
@@ -292,6 +296,14 @@ pub(in crate::compare) struct Reader<'a, 'i> {
 }
 
 impl<'a, 'i> Reader<'a, 'i> {
+    /// Whether something asks for the colour around, and whether for what is dark.
+    fn asked(&self) -> [bool; 2] {
+        *self.asked.get_or_init(|| {
+            let text = self.document.input_text().to_ascii_lowercase();
+            ["currentcolor", "light-dark("].map(|word| text.contains(word))
+        })
+    }
+
     fn element(&mut self, node: Node<'a, 'i>, outer: &Around, depth: usize) -> Result<(), Fault> {
         let offset = node.range().start;
         self.visit(node)?;
@@ -383,8 +395,8 @@ impl<'a, 'i> Reader<'a, 'i> {
         // Colours and rims of letters, and what asks for no colour, change nothing; only the root has a ground.
         let matters = |key: &str| match key {
             "fill" | "stroke-width" => !animations::is_text(name),
-            "color" => self.document.input_text().to_ascii_lowercase().contains("currentcolor"),
-            "color-scheme" => self.document.input_text().to_ascii_lowercase().contains("light-dark("),
+            "color" => self.asked()[0],
+            "color-scheme" => self.asked()[1],
             "background" | "background-color" => node == self.document.root_element(),
             _ => true,
         };

@@ -12,8 +12,8 @@
 //! proof that the result has no intersections, whatever was rounded before.
 //!
 //! In bundles of lines a few last bits apart, every round may make new crossings between the doubles. What has not
-//! settled after four rounds, or finds more in a later round than there was before, is therefore rounded to a grid, which
-//! always settles: see `snap.rs`.
+//! settled after four rounds, or has more crossings in a later round than edges, is therefore rounded to a grid, which always
+//! settles: see `snap.rs`.
 
 use super::chains::Split;
 use super::graph::{Graph, Single};
@@ -42,7 +42,7 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (On
     let edges = graph.edges.clone();
     let mut split = Split::none(edges.len());
     while grid.is_none() && split.rounds < PLAIN_ROUNDS {
-        // Bent edges that cross more often than all before them do not settle: every round would find still more.
+        // Bent edges that cross more often than there are edges do not settle: every round would find still more.
         let most = if split.rounds == 0 { usize::MAX } else { graph.edges.len() };
         let Some(Cuts { cuts, new }) = find_cuts(graph, most) else { break };
         if cuts.is_empty() {

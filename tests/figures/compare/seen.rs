@@ -254,6 +254,7 @@ fn hostile_gradients_markers_and_rules_end_quickly() {
         ("a marker of itself", "<marker id=\"m\"><path marker-start=\"url(#m)\" d=\"M0 0h9\"/></marker><path marker-start=\"url(#m)\" d=\"M0 0h9\" stroke=\"red\"/>".to_owned(), ""),
         ("a clip path of many shapes", format!("<style>a{{b:c}}</style><g id=\"{}\"><clipPath id=\"c\">{}</clipPath></g><path d=\"M0 0h9\" stroke=\"red\" clip-path=\"url(#c)\"/>", many("x", 500_000), many("<rect/>", 50_000)), "too large: more than 1500000 elements to draw"),
         ("rules of children", format!("<style>x {}{{a:b}}</style>{}{}", many("g>g ", 90), many("<g>", 190), many("</g>", 190)), "nothing is drawn"),
+        ("many colours that nothing asks for", format!("<g id=\"{}\"/>{}", many("x", 2_000_000), many("<g color=\"var(--a)\"/>", 50_000)), "nothing is drawn"),
         ("rules of attributes", format!("<style>{}{{a:b}}</style>{}", many(":not([q])", 20_000), many("<g/>", 20_000)), "style rules"),
     ] {
         let svg = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{inside}</svg>");
