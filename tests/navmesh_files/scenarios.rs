@@ -178,6 +178,15 @@ fn a_file_that_fits_neither_says_which_it_nearly_fits() {
     let verdict = of(&["0 0 8 0 8", "1 1 4 4 4.24264"]);
     assert!(verdict.fits() && verdict.to_string().contains("which is the same here"), "{verdict}");
     assert_eq!(of(&["0 0 8 0 -1"]).to_string(), "no length is stated");
+    // Whole numbers of straight steps alone, however aslant the way: Manhattan distances, if there are two or more.
+    let manhattan = ["0 0 9 5 14", "1 2 8 3 8", "0 9 9 0 18", "3 3 5 9 8", "2 2 2 2 0", "0 0 9 0 9"];
+    let verdict = of(&manhattan);
+    assert!(verdict.straight_steps && verdict.fits() && verdict.optimum == Optimum::Octile, "{verdict}");
+    let said =
+        "octile: all of 6 lengths are sums a + b√2 of steps, none of them diagonal (Manhattan): as upper bounds only";
+    assert_eq!(verdict.to_string(), said);
+    assert!(!of(&manhattan[..1]).straight_steps && !of(&manhattan[4..]).straight_steps && !of(&octile).straight_steps);
+    assert!(!of(&[manhattan[0], manhattan[1], octile[0]]).straight_steps);
     // The parity of the steps: no way of whole straight and diagonal steps from here to there is 9 long.
     assert_eq!(of(&["0 0 4 4 9"]).not_octile.count, 1);
     assert_eq!(of(&["0 0 4 4 10"]).not_octile.count, 0);

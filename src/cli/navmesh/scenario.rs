@@ -19,7 +19,8 @@ use std::path::PathBuf;
 /// The last column of a .scen file is the length of the shortest path in some files, and the octile
 /// cost from cell to cell in others, which is an upper bound here; the numbers of the whole file tell
 /// which, and the answer says so in its first line. A length is met if it is no further away than
-/// half a unit of its last printed digit; in a file of whole numbers alone, of the sixth digit. A
+/// half a unit of its last printed digit. If more than half of the lengths differ from those of shortest
+/// paths, the first line says that they are of neither kind, and how many times as long they are; in a file of whole numbers alone, of the sixth digit. A
 /// stated -1, or 0 between two places, means that there is no path, or no clear place to start or end.
 /// Exit code 1 if a query fails.
 #[derive(clap::Args, Debug)]
@@ -86,6 +87,9 @@ struct Report {
     /// How many of the wrong ones have a start or goal off the mesh.
     #[serde(skip)]
     off: usize,
+    /// The stated lengths of which a path was found, but for those of 0.
+    #[serde(skip)]
+    compared: Vec<Compared>,
 }
 
 /// What the stated lengths are, by the numbers of the whole file.
@@ -97,6 +101,74 @@ struct Lengths {
     /// Those that do not fit what the file is or nearly is, and the line of the first of them.
     misfits: usize,
     first_misfit: Option<u32>,
+    /// Whether no way that is not along an axis has a diagonal step: Manhattan distances.
+    straight_steps: bool,
+    /// Set if most of them are no lengths of this map.
+    neither: Option<Neither>,
+}
+
+/// Lengths that are of neither kind on the map, told by those of the shortest paths.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+struct Neither {
+    /// How many stated lengths there are whose paths were found, but for those of length 0.
+    compared: usize,
+    /// How many of them are wrong.
+    wrong: usize,
+    /// How many times as long as the shortest path they are, those that are wrong: the median.
+    factor: f64,
+    /// How many of the wrong ones are that, within a millionth and what their digits say.
+    alike: usize,
+}
+
+impl Neither {
+    /// Of stated lengths with the lengths of the shortest paths, if more than half of them are wrong.
+    fn of(lengths: &[Compared]) -> Option<Self> {
+        let lengths = lengths.iter().filter(|length| length.found > 0.0);
+        let compared = lengths.clone().count();
+        let mut wrong: Vec<&Compared> = lengths.filter(|length| !length.agrees).collect();
+        if 2 * wrong.len() <= compared {
+            return None;
+        }
+        wrong.sort_by(|a, b| a.factor().total_cmp(&b.factor()));
+        let factor = wrong[wrong.len() / 2].factor();
+        let is_alike = |length: &&&Compared| {
+            let Compared { stated, found, precision, .. } = **length;
+            (stated - factor * found).abs() <= 2.0 * precision + 1e-6 * stated
+        };
+        let alike = wrong.iter().filter(is_alike).count();
+        Some(Self { compared, wrong: wrong.len(), factor, alike })
+    }
+
+    /// In words; `nearly` is what the numbers alone say.
+    fn words(&self, nearly: Optimum) -> String {
+        let Self { compared, wrong, factor, alike } = *self;
+        let name = match nearly {
+            Optimum::Octile => "octile",
+            Optimum::Euclidean => "Euclidean",
+        };
+        let factor = format!("{factor:.6}");
+        let factor = factor.trim_end_matches('0').trim_end_matches('.');
+        let lengths = counted(compared, "length is", "lengths are");
+        let how = if alike == wrong { "" } else { " in the middle" };
+        format!(
+            "neither octile nor Euclidean on this map, but nearly {name}: {wrong} of {lengths} wrong, {factor} times the \
+             shortest{how}"
+        )
+    }
+}
+
+/// A stated length and that of the path that was found.
+struct Compared {
+    stated: f64,
+    found: f64,
+    precision: f64,
+    agrees: bool,
+}
+
+impl Compared {
+    fn factor(&self) -> f64 {
+        self.stated / self.found
+    }
 }
 
 impl Lengths {
@@ -107,6 +179,8 @@ impl Lengths {
             stated: verdict.stated,
             misfits: misfits.count,
             first_misfit: misfits.first_line,
+            straight_steps: verdict.straight_steps,
+            neither: None,
         }
     }
 }
@@ -140,7 +214,13 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Kind::Octile => Optimum::Octile,
     };
     let planner = args.preparation.planner();
-    let report = check(&map, &scenario, (planner, &args.snap), algorithm, (optimum, &verdict), args.tolerance);
+    let mut report = check(&map, &scenario, (planner, &args.snap), algorithm, (optimum, &verdict), args.tolerance);
+    // Of other algorithms, and of what was said to be otherwise, the lengths tell nothing.
+    let may_tell = matches!(args.optimum, Kind::Auto) && algorithm == PathAlgorithm::Exact;
+    if let Some(neither) = Neither::of(&report.compared).filter(|_| may_tell) {
+        report.lengths.verdict = neither.words(optimum);
+        report.lengths.neither = Some(neither);
+    }
     if args.json {
         out.json(&report)?;
     } else {
@@ -198,7 +278,6 @@ fn check(
         Optimum::Octile => verdict.shortfall(),
         Optimum::Euclidean => 0.0,
     };
-    let mut ratios: Vec<f64> = Vec::new();
     for query in &scenario.queries {
         let [start, goal] = [query.start, query.goal].map(|p| map.point([p.x, p.y]));
         // What is stated to have no path may have no clear place to start or end.
@@ -221,10 +300,11 @@ fn check(
             report.pops += route.work.pops;
             report.expansions += route.work.expansions;
         }
+        let agrees = query.agrees(found, optimum, tolerance + shortfall);
         if let (Some(stated), Some(found)) = (query.length.filter(|&stated| stated > 0.0), found) {
-            ratios.push(found / stated);
+            report.compared.push(Compared { stated, found, precision: query.precision, agrees });
         }
-        if query.agrees(found, optimum, tolerance + shortfall) {
+        if agrees {
             report.right += 1;
         } else {
             report.off += usize::from(matches!(route, Err(RouteError::Start(_) | RouteError::Goal(_))));
@@ -232,6 +312,7 @@ fn check(
             report.wrong.push(Wrong { line: query.line, stated: query.length, found, why });
         }
     }
+    let ratios: Vec<f64> = report.compared.iter().map(|length| length.found / length.stated).collect();
     if !ratios.is_empty() {
         report.mean_ratio = Some(ratios.iter().sum::<f64>() / ratios.len() as f64);
         report.max_ratio = ratios.iter().copied().reduce(f64::max);

@@ -95,9 +95,14 @@ impl Query {
         }
     }
 
+    /// How far the goal is from the start along each axis.
+    fn along_axes(&self) -> (f64, f64) {
+        ((self.goal.x - self.start.x).abs(), (self.goal.y - self.start.y).abs())
+    }
+
     /// The length of the straight line from start to goal.
     fn straight(&self) -> f64 {
-        let [x, y] = [self.goal.x - self.start.x, self.goal.y - self.start.y];
+        let (x, y) = self.along_axes();
         (x * x + y * y).sqrt()
     }
 }

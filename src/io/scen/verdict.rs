@@ -65,6 +65,9 @@ pub struct Verdict {
     pub too_short: Misfits,
     /// Those that are one reading only, or an unlikely chance for the other.
     pub telling: usize,
+    /// Whether all ways that are not along an axis are stated in whole numbers that are the lengths of straight steps
+    /// alone, and there are two or more: Manhattan distances, or such round obstacles.
+    pub straight_steps: bool,
     /// The decimal fraction that stands for √2 in octile lengths; none if it is √2 as exactly as a float has it.
     pub diagonal: Option<f64>,
 }
@@ -113,6 +116,9 @@ impl fmt::Display for Verdict {
             (Optimum::Octile, _) => {
                 let sums = if stated == 1 { "is a sum" } else { "are sums" };
                 write!(f, "octile: {all} {sums} a + b√2 of steps")?;
+                if self.straight_steps {
+                    f.write_str(", none of them diagonal (Manhattan): as upper bounds only")?;
+                }
                 diagonal.map_or(Ok(()), |diagonal| write!(f, ", with √2 = {diagonal}"))
             }
             (Optimum::Euclidean, Some(line)) => {
@@ -176,15 +182,24 @@ impl Scenario {
             not_octile: Misfits::default(),
             too_short: Misfits::default(),
             telling: 0,
+            straight_steps: false,
             diagonal: None,
         };
         let mut for_octile = 0.0;
+        let (mut aslant, mut without_diagonal) = (0, 0);
         for query in &self.queries {
             let Some(length) = query.length else { continue };
             verdict.stated += 1;
             let slack = query.precision + ROUNDING * length;
             if length + slack < query.straight() {
                 verdict.too_short.add(query.line);
+            }
+            let (dx, dy) = query.along_axes();
+            if dx > 0.0 && dy > 0.0 {
+                aslant += 1;
+                let is_whole = (length - length.round()).abs() <= ROUNDING * length;
+                let is_even = ((length.round() - (dx + dy)) / 2.0).fract().abs() <= 0.0;
+                without_diagonal += usize::from(is_whole && is_even && length + slack >= dx + dy);
             }
             let steps = Steps::of(query, length, slack, diagonals);
             if !steps.fit {
@@ -201,6 +216,7 @@ impl Scenario {
                 (SLIP / (1.0 - steps.chance)).ln()
             };
         }
+        verdict.straight_steps = aslant > 1 && without_diagonal == aslant;
         if verdict.telling > 0 && for_octile > 0.0 {
             verdict.optimum = Optimum::Octile;
         }
@@ -223,7 +239,7 @@ struct Steps {
 impl Steps {
     /// `diagonals` are numbers that may stand for √2.
     fn of(query: &Query, length: f64, slack: f64, diagonals: &[f64]) -> Self {
-        let (dx, dy) = ((query.goal.x - query.start.x).abs(), (query.goal.y - query.start.y).abs());
+        let (dx, dy) = query.along_axes();
         if length > LONGEST {
             return Self { fit: false, chance: 0.0 };
         }
