@@ -163,6 +163,7 @@ fn wide_agents_keep_off_the_border_or_find_no_way() {
         "0.4",
     );
     folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 50").fails(2, "radius 50 fits nowhere", "smaller");
+    folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 50").fails(2, "on the map", "help: try a smaller one");
     folder.dcel("navmesh path rooms.map 1 1 2 2 --radius -1").fails(2, "an agent of radius -1", "0.5");
 }
 
@@ -343,6 +344,44 @@ fn scenarios_are_counted_and_failures_named() {
     let report: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
     assert!(told.code == Some(1) && report["mean_ratio"].as_f64() > Some(1.01), "{report}");
     assert_eq!((&report["optimum"], &report["queries"]), (&json!("euclidean"), &json!(24)));
+    // The lengths of shortest paths tell what numbers alone cannot: that most are of neither kind, and by how much.
+    let times = |factor: f64| {
+        let scale = |line: &str| match line.rsplit_once('\t') {
+            Some((query, length)) => {
+                let length: f64 = length.parse().expect("a length");
+                format!("{query}\t{:.9}\n", length * if length > 0.0 { factor } else { 1.0 })
+            }
+            None => format!("{line}\n"),
+        };
+        let text: String = include_str!("../../figures/data/rooms.scen").lines().map(scale).collect();
+        folder.write("times.scen", &text);
+        folder.dcel("navmesh scenario rooms.map times.scen")
+    };
+    for (factor, said) in [(1.1, "1.1"), (1.0001, "1.0001"), (0.9999, "0.9999")] {
+        let told = times(factor);
+        assert_eq!(told.code, Some(1), "{told:?}");
+        let first = told.out.lines().next().unwrap_or_default();
+        let said = format!("22 of 22 lengths are wrong, {said} times the shortest");
+        let nearly = "stated lengths: neither octile nor Euclidean on this map, but nearly Euclidean: ";
+        assert_eq!(first, format!("{nearly}{said}"), "{told:?}");
+        let told = folder.dcel("navmesh scenario rooms.map times.scen --json");
+        let report: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
+        let neither = &report["lengths"]["neither"];
+        assert_eq!((&neither["wrong"], &neither["alike"]), (&json!(22), &json!(22)), "{report}");
+        assert!(neither["factor"].as_f64().is_some_and(|found| (found - factor).abs() < 1e-8), "{report}");
+    }
+    // Nothing of the kind is said of the paths of another algorithm, and of what the call says the lengths are.
+    for more in ["--triangles --algorithm bfs", "--optimum euclidean"] {
+        let told = folder.dcel(&format!("navmesh scenario rooms.map times.scen {more}"));
+        assert!(told.code == Some(1) && !told.out.contains("on this map"), "{told:?}");
+    }
+    assert_eq!(folder.dcel("navmesh scenario rooms.map rooms.scen --json").json()["lengths"]["neither"], json!(null));
+    folder.write("manhattan.scen", "0 hall.map 9 9 0 0 9 5 14\n0 hall.map 9 9 1 2 8 3 8\n0 hall.map 9 9 3 3 5 9 8\n");
+    folder.write("hall.map", &format!("type octile\nheight 9\nwidth 9\nmap\n{}", ".........\n".repeat(9)));
+    let told = folder.dcel("navmesh scenario hall.map manhattan.scen").fine();
+    assert!(told.lines().next().is_some_and(|line| line.ends_with("(Manhattan): as upper bounds only")), "{told}");
+    let report = folder.dcel("navmesh scenario hall.map manhattan.scen --json").json();
+    assert_eq!(report["lengths"]["straight_steps"], json!(true));
     // Costs from cell to cell are bounds, and -1 is a refusal.
     folder.write(
         "corner.scen",
@@ -476,6 +515,20 @@ fn walls_obstacles_and_rays_come_from_the_command_line() {
     folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,1,6,1").fails(2, "a wall has two ends", "");
     folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 5,0,5,1").fails(2, "three corners or more", "");
     folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,0").fails(2, "rooms.map: --wall 5,0,5,0: side 0", "");
+    // In the coordinates of the file, where y points down.
+    let what = "side 0 of the wall has no length: both its ends are (5, 1)";
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,1,5,1").fails(2, what, "help: give two different ends");
+    let what = "side 1 of the obstacle has no length: both its ends are (4, 1)";
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 3,1,4,1,4,1,3,0").fails(2, what, "help: give the corners");
+    let what = "the obstacle is no simple polygon: its corners lie on one line";
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 3,1,4,1,5,1").fails(
+        2,
+        what,
+        "help: give corners round an area",
+    );
+    let bow = folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 13,1,15,1,13,2,15,2");
+    bow.fails(2, "the obstacle is no simple polygon: its side (", "in order");
+    assert!(bow.err.contains("(15, 1)") && bow.err.contains("(13, 2)") && !bow.err.contains("-2)"), "{bow:?}");
     let crossing = folder.dcel("navmesh info rooms.map --obstacle 3,0,4,1,4,0,3,1");
     crossing.fails(2, "--obstacle 3,0,4,1,4,0,3,1: the obstacle is no simple polygon", "in order");
     folder.dcel("navmesh path rooms.map 1 1 9 1 --tolerance 0.1").fails(2, "required arguments", "");
@@ -540,6 +593,14 @@ fn costs_links_distances_and_random_points_come_from_the_command_line() {
     let far = folder.dcel("navmesh distances rooms.map 0 0 --json").json();
     let rows = |answer: &serde_json::Value| answer["vertices"].as_array().expect("rows").len();
     assert!(rows(&near) > 0 && rows(&near) < rows(&far), "{} and {}", rows(&near), rows(&far));
+    // A face counts if all its corners are within the limit: that of the start need not be one.
+    let none = folder.dcel("navmesh distances rooms.map 1 1 --limit 1 --json").json();
+    assert_eq!((&none["vertices"], &none["faces"]), (&json!([]), &json!([])));
+    let help = folder.dcel("navmesh distances --help").fine();
+    assert!(
+        help.split_whitespace().collect::<Vec<_>>().join(" ").contains("all of whose corners can be reached"),
+        "{help}"
+    );
     let first = &near["vertices"][0];
     assert_eq!((&first["point"], &first["distance"]), (&json!([0.0, 0.0]), &json!(0.0)));
     assert!(folder.read("reach.svg").contains("how far it is"));
@@ -677,6 +738,10 @@ fn hand_made_floors_are_welded_on_request_and_warned_about_else() {
         assert_eq!((&info["faces"], &info["components"]), (&json!(faces), &json!([faces])), "{name}");
     }
     folder.dcel("navmesh path exact.obj 0.5 0.5 1 1.5").fails(2, "exact.obj:", "--mend");
+    // As dcel navmesh info advises; and nothing is moved by it.
+    folder.dcel("navmesh path exact.obj 0.5 0.5 1 1.5").fails(2, "", "help: --weld 0 joins vertices at one place");
+    let told = folder.dcel("navmesh path exact.obj 0.5 0.5 1 1.5 --weld 0");
+    assert!(told.code == Some(0) && told.err.contains("1 corner was put into a side, all in place\n"), "{told:?}");
     assert!(
         folder.dcel("navmesh path below.obj 0.5 0.5 1 1.5").err.contains("vertex 4 is 1.00e-6 beside the side 5 -> 3")
     );

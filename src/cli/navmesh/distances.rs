@@ -18,12 +18,18 @@ use std::io::Write;
 
 /// Tell how far every vertex is from a point, by the shortest paths
 ///
-/// With --limit: what can be reached within a length. With --cost: how much it costs to get there, by
+/// With --limit: what can be reached within a length: vertices, and faces all of whose corners can be
+/// reached; a face of which a part only is within the limit does not count, that of the start neither.
+/// With --cost: how much it costs to get there, by
 /// paths that pass the sides of faces at their ends and six points between: never less than the least
 /// cost, and a few per cent more at most.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Many vertices inside an open floor take long: twice as many up to four times.
+Many vertices inside an open floor take long: twice as many
+up to four times. Of rows of pillars twice as many take up
+to 7 times as long and 3.7 times the memory: 1000 pillars
+about 0.5 s and 55 MB, 4000 of them 19 s and 650 MB.
+--limit bounds both.
 
 Examples:
   dcel navmesh distances rooms.map 1 1 --limit 6

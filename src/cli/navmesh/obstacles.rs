@@ -1,11 +1,12 @@
 //! Walls and obstacles of the command line, put into a map before anything is asked of it.
 
 use super::super::failure::Failure;
+use super::super::output;
+use super::map::Frame;
 use super::numbers::number;
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
-
-use dcel_kit::plane::{InsertSegmentError, Point, Subdivision, is_counter_clockwise};
+use dcel_kit::plane::{ConvertError, InsertSegmentError, Point, Subdivision, is_counter_clockwise};
 
 /// What is put into the map.
 #[derive(clap::Args, Debug, Default)]
@@ -52,14 +53,14 @@ impl ObstacleArgs {
         !self.wall.is_empty() || !self.obstacle.is_empty()
     }
 
-    /// The map with everything put in, its navmesh, and what faces cost in it if they had costs before. `place` takes
-    /// points of the file to those of the map.
+    /// The map with everything put in, its navmesh, and what faces cost in it if they had costs before. `frame` is
+    /// that of the file.
     pub(super) fn put_in(
         &self,
         source: &str,
         map: Subdivision,
         costs: Option<&FaceMap<f64>>,
-        place: impl Fn([f64; 2]) -> Point,
+        frame: Frame,
     ) -> Result<(Subdivision, NavMesh, Option<FaceMap<f64>>), Failure> {
         // Faces of one cost are one area.
         let mut areas: Vec<f64> = costs.iter().flat_map(|costs| costs.as_slice()).copied().collect();
@@ -76,7 +77,22 @@ impl ObstacleArgs {
         let given = self.wall.iter().map(|corners| ("--wall", corners));
         for (flag, Corners { points, text }) in given.chain(self.obstacle.iter().map(|corners| ("--obstacle", corners)))
         {
-            let mut points: Vec<Point> = points.iter().rev().map(|&p| place(p)).collect();
+            let refused = |why: String, help: &str| Failure::input(format!("{source}: {flag} {text}: {why}"), help);
+            let next = points.iter().cycle().skip(1);
+            if let Some((side, (&p, _))) =
+                points.iter().zip(next).enumerate().find(|&(_, (&p, &q))| Point::from(p) == Point::from(q))
+            {
+                let (what, help) = match points.len() {
+                    2 => ("wall", "give two different ends"),
+                    _ => ("obstacle", "give the corners in order, each once"),
+                };
+                let place = output::point(&p);
+                return Err(refused(
+                    format!("side {side} of the {what} has no length: both its ends are {place}"),
+                    help,
+                ));
+            }
+            let mut points: Vec<Point> = points.iter().map(|&p| frame.point(p)).collect();
             if !is_counter_clockwise(&points) {
                 points.reverse();
             }
@@ -84,15 +100,25 @@ impl ObstacleArgs {
                 [p, q] => live.insert_wall(p, q),
                 _ => live.insert_obstacle(&points),
             };
-            put.map_err(|error| {
-                let help = match error {
-                    ObstacleError::Polygon(_) => "give the corners in order, each once",
-                    ObstacleError::Side { error: InsertSegmentError::Split { .. }, .. } => {
-                        "move it a little: corners lie as near to that place as rounding reaches"
-                    }
-                    _ => "",
-                };
-                Failure::input(format!("{source}: {flag} {text}: {error}"), help)
+            put.map_err(|error| match error {
+                ObstacleError::Polygon(error) => {
+                    let help = match error {
+                        ConvertError::ZeroArea { .. } => "give corners round an area, or put up a --wall",
+                        _ => "give the corners in order, each once",
+                    };
+                    refused(format!("the obstacle is no simple polygon: {}", of_polygon(&error, &points, frame)), help)
+                }
+                ObstacleError::Side { error: InsertSegmentError::Split { half_edge, at, error }, .. } => {
+                    let at = Point::from(frame.in_file(at));
+                    let error = InsertSegmentError::Split { half_edge, at, error };
+                    refused(
+                        error.to_string(),
+                        "move it a little: corners lie as near to that place as rounding reaches",
+                    )
+                }
+                // The numbers of sides are those of the corners in counter-clockwise order.
+                ObstacleError::Side { error, .. } => refused(error.to_string(), ""),
+                error => refused(error.to_string(), ""),
             })?;
         }
         let costs = costs.map(|_| {
@@ -104,5 +130,22 @@ impl ObstacleArgs {
         });
         let (map, mesh) = live.into_parts();
         Ok((map, mesh, costs))
+    }
+}
+
+/// What is wrong with the polygon of these corners, with their places in the file.
+fn of_polygon(error: &ConvertError, corners: &[Point], frame: Frame) -> String {
+    let corner = |v: u32| match corners.get(v as usize) {
+        Some(&p) => output::point(&frame.in_file(p)),
+        None => format!("corner {v}"),
+    };
+    let side = |&(a, b): &(u32, u32)| format!("its side {} -> {}", corner(a), corner(b));
+    match error {
+        ConvertError::ZeroArea { .. } => "its corners lie on one line".to_owned(),
+        ConvertError::SelfCrossing { first, second, .. } => format!("{} crosses {}", side(first), side(second)),
+        ConvertError::SelfTouching { vertex, side: touched, .. } => {
+            format!("its corner {} lies on {}", corner(*vertex), side(touched))
+        }
+        other => other.to_string(),
     }
 }

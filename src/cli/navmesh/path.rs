@@ -15,7 +15,8 @@ use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{
-    ComponentId, Inset, Link, Location, PathAlgorithm, Planner, QueryPoint, QueryPointError, Route, RouteError,
+    ComponentId, Inset, InsetError, Link, Location, PathAlgorithm, Planner, QueryPoint, QueryPointError, Route,
+    RouteError,
 };
 use dcel_kit::plane::Point;
 use dcel_kit::{FaceId, FaceMap};
@@ -197,7 +198,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset_within(radius, args.tolerance);
-            Some(inset.map_err(|error| Failure::about(&whole.source, error))?)
+            Some(inset.map_err(|error| no_inset(&whole.source, &error))?)
         }
         None => None,
     };
@@ -266,6 +267,18 @@ fn linked(
         save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, links, &options), out)?;
     }
     Ok(answer)
+}
+
+/// Why nothing is left of a map for an agent with a radius: what helps stands behind the colon.
+fn no_inset(source: &str, error: &InsetError) -> Failure {
+    let text = error.to_string();
+    match error {
+        InsetError::NoRoom { .. } | InsetError::Radius { .. } | InsetError::Tolerance { .. } => {
+            let (what, help) = text.split_once(": ").unwrap_or((&text, ""));
+            Failure::input(format!("{source}: {what}"), help)
+        }
+        _ => Failure::about(source, text),
+    }
 }
 
 /// The map of the file, and what is left of it for an agent with a radius.

@@ -257,7 +257,8 @@ impl MapArgs {
         }
         let joined = counted(joined, "vertex was joined with another", "vertices were joined with others");
         let inserted = counted(inserted, "corner was put into a side", "corners were put into sides");
-        say("note", format_args!("welded: {joined}, {inserted}, {farthest:.2e} apart at most"));
+        let how_far = if farthest > 0.0 { format!("{farthest:.2e} apart at most") } else { "all in place".to_owned() };
+        say("note", format_args!("welded: {joined}, {inserted}, {how_far}"));
         if collapsed > 0 {
             let gone = counted(collapsed, "face is gone: it was", "faces are gone: they were");
             say("note", format_args!("{gone} no wider than that"));
@@ -360,6 +361,16 @@ impl MapArgs {
                 told => Told { place: near_place(soup, fault), ..told },
             };
             warn_of(&near.map(|fault| (told(fault), fault)).collect::<Vec<_>>());
+            // The same advice as dcel navmesh info has for it.
+            if let Some(help) = faults.iter().filter(|fault| is_unwelded(fault)).find_map(|f| told(f).help) {
+                let mended = |failure: Failure| match failure.help() {
+                    own if own.contains("--mend") => {
+                        failure.helped_by(&format!("{help}; --mend cuts the polygons where they meet"))
+                    }
+                    _ => failure,
+                };
+                return self.finish(draft, areas).map_err(mended);
+            }
         }
         self.finish(draft, areas)
     }
@@ -416,7 +427,7 @@ impl MapArgs {
         }
         let costs = map.costs(areas)?;
         let Map { source, subdivision, names, .. } = map;
-        let put = self.obstacles.put_in(&source, subdivision, costs.as_ref(), |p| frame.point(p));
+        let put = self.obstacles.put_in(&source, subdivision, costs.as_ref(), frame);
         let (subdivision, mesh, known_costs) = put?;
         Ok(Map { source, format, subdivision, mesh, names, known_costs, frame })
     }
@@ -452,6 +463,11 @@ fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
 /// Where in its file the later vertex of two that nearly meet stands.
 fn near_place(soup: &PolygonSoup, fault: &MeshFault) -> String {
     fault.vertices().last().map(|&v| soup.places.vertex(v as usize)).unwrap_or_default()
+}
+
+/// Whether welding mends a fault.
+fn is_unwelded(fault: &MeshFault) -> bool {
+    matches!(fault, MeshFault::TJunction { .. } | MeshFault::SamePlace { .. })
 }
 
 /// Warns of what nearly meets.
