@@ -221,9 +221,8 @@ impl Planner {
     /// Cost: as an exact search that visits everything within the limit; O(n) more to begin. Each vertex in sight parts the
     /// view of those behind it, and what is parted stays apart: an open floor of n vertices in a grid takes O(n^1.5) cones,
     /// each of which looks at the corners of its room, so that twice as many vertices take up to four times as long.
-    /// A row of n pillars in a narrow hall takes about n² cones, which are kept to the end, and more time than that:
-    /// twice as many pillars take up to 3.7 times the memory, and 7 times as long (1000: about 0.5 s and 55 MB; 2000:
-    /// 3 s and 175 MB; 4000: 19 s and 650 MB). A `limit` bounds both.
+    /// Beside a row of n pillars there are O(n) cones, but a hall of one face has O(n) corners that many of them look at:
+    /// four times as long for twice as many pillars, in memory that is in proportion. A `limit` bounds both.
     ///
     /// ```
     /// use dcel_kit::navmesh::{NavMesh, Planner};

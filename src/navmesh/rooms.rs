@@ -9,7 +9,7 @@ use crate::plane::Point;
 use std::ops::Range;
 
 /// A corner of a room, and the side that starts there.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     /// Where it is.
     pub(super) at: Point,

@@ -45,17 +45,7 @@ fn the_field_has_the_length_of_the_shortest_way_to_every_vertex() {
 #[test]
 fn equally_short_ways_do_not_multiply() {
     let work = |size: u32| {
-        let corner = |x: u32, y: u32| y * (size + 1) + x;
-        let points = (0..=size).flat_map(|y| (0..=size).map(move |x| Point::new(x.into(), y.into()))).collect();
-        let cells = (0..size).flat_map(|y| (0..size).map(move |x| (x, y)));
-        let triangles: Vec<[u32; 3]> = cells
-            .filter(|(x, y)| x % 2 == 0 || y % 2 == 0)
-            .flat_map(|(x, y)| {
-                let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
-                [[a, b, c], [a, c, d]]
-            })
-            .collect();
-        let mesh = NavMesh::new(&Subdivision::from_triangles(points, &triangles).expect("cells")).expect("triangles");
+        let mesh = cells(size, size, |x, y| x % 2 == 0 || y % 2 == 0);
         let start = mesh.place(Point::new(0.5, 0.25)).expect("on the map");
         let field = Planner::new().distance_field(&mesh, &start, f64::INFINITY);
         // Along the lowest row, straight to its end.
@@ -65,6 +55,75 @@ fn equally_short_ways_do_not_multiply() {
     };
     let [small, large] = [15, 31].map(work);
     assert!(large < 12 * small, "{small} cones in 15 rows, {large} in 31");
+}
+
+/// A mesh of the cells of unit squares that are open, two triangles each.
+fn cells(width: u32, height: u32, is_open: impl Fn(u32, u32) -> bool) -> NavMesh {
+    let corner = |x: u32, y: u32| y * (width + 1) + x;
+    let points = (0..=height).flat_map(|y| (0..=width).map(move |x| Point::new(x.into(), y.into()))).collect();
+    let triangles: Vec<[u32; 3]> = (0..height)
+        .flat_map(|y| (0..width).map(move |x| (x, y)))
+        .filter(|&(x, y)| is_open(x, y))
+        .flat_map(|(x, y)| {
+            let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    NavMesh::new(&Subdivision::from_triangles(points, &triangles).expect("cells")).expect("triangles")
+}
+
+/// Along a row of pillars each of their corners is reached a little better from the pillar before: what is seen of the
+/// others by then must not all be written down.
+#[test]
+fn a_row_of_pillars_takes_memory_in_proportion() {
+    let work = |pillars: u32| {
+        let mesh = cells(2 * pillars + 1, 3, |x, y| y != 1 || x % 2 == 0);
+        let start = mesh.place(Point::new(0.5, 2.5)).expect("on the map");
+        Planner::new().distance_field(&mesh, &start, f64::INFINITY).work.pushes
+    };
+    let [small, large] = [100, 200].map(work);
+    assert!(large < 3 * small, "{small} cones by 100 pillars, {large} by 200");
+}
+
+/// Sides in one line, seen edge-on, and paths as long as others: where everything is searched, less is looked at than for
+/// one goal, and the lengths are the same.
+#[test]
+fn the_field_on_cells_has_the_lengths_of_paths() {
+    let mut planner = Planner::new();
+    let mut compared = 0;
+    for seed in 0..60 {
+        let mut random = Random::new(seed + 4100);
+        let (width, height) = (8 + random.below(12) as u32, 3 + random.below(9) as u32);
+        let open: Vec<bool> = (0..width * height).map(|i| i == 0 || random.unit() > 0.3).collect();
+        let is_open = |x: u32, y: u32| match seed % 3 {
+            0 => x % 2 == 0 || y % 2 == 0,
+            1 => open[(y * width + x) as usize],
+            _ => open[((y / 2) * width + x) as usize] || x == 0,
+        };
+        let mesh = cells(width, height, is_open);
+        // A corner, the middle of a side, and places inside.
+        for at in [[0.0, 0.0], [0.5, 0.0], [0.25, 0.5], [0.7, 0.3]] {
+            let start = mesh.place(at.into()).expect("the first cell");
+            for mut planner in [Planner::face_by_face(), std::mem::take(&mut planner)] {
+                let field = planner.distance_field(&mesh, &start, f64::INFINITY);
+                for v in (0..mesh.vertex_bound() as u32).map(VertexId::new) {
+                    let wedges = mesh.wedges(v);
+                    // Of the wedges of a double corner the nearer one counts.
+                    let lengths = wedges.iter().filter_map(|wedge| {
+                        let goal = mesh.place_in(wedge[0], mesh.point(v)).expect("its corner");
+                        Some(planner.route(&mesh, PathAlgorithm::Exact, &start, &goal).ok()?.length)
+                    });
+                    let least = lengths.min_by(f64::total_cmp);
+                    match (field.distance(v), least) {
+                        (Some(x), Some(y)) => assert!(is_close(x, y), "seed {seed}, from {at:?}: {v}: {x} but {y}"),
+                        (x, y) => assert_eq!(x, y, "seed {seed}, from {at:?}: {v}"),
+                    }
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 50_000, "{compared}");
 }
 
 /// Two rooms joined by a narrow hole below and a wide one above.

@@ -23,6 +23,8 @@ pub(super) const BENT: u32 = 1 << 30;
 
 /// The start as a root: greater than all ids of vertices.
 pub(super) const START: u32 = ID;
+/// In `left`, where the root is an endpoint of the portal: the portal was seen edge-on, and so may be others further on.
+pub(super) const ALONG: u32 = BENT;
 /// As the root before: the root is an endpoint of the portal.
 pub(super) const AT_POST: u32 = u32::MAX;
 

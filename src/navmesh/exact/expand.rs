@@ -9,13 +9,15 @@
 //! ```
 //!
 //! Sides out of sight on the right are reached by a bend at the right endpoint, if the cone ends there and a path may bend
-//! there; so on the left. A side seen edge-on is passed by a bend at its nearer end.
+//! there; so on the left. A side seen edge-on is passed by a bend at its nearer end. A search of everything bends round
+//! the nearest of the sides on a line only, and goes on to the next one when the order of lengths has come to it: most of
+//! them have a shorter path by then.
 
 use super::super::marks::{CLOSED, DEAD_END, ID, TURN};
 use super::super::nearest::distance;
 use super::super::rooms::{Corner, Rooms};
 use super::super::scratch::Scratch;
-use super::cone::{AT_POST, BENT, Beam, ENDS, Node, START};
+use super::cone::{ALONG, AT_POST, BENT, Beam, ENDS, Node, START};
 use super::ray::{Turn, difference};
 use super::search::{Exact, KnownRoot};
 use crate::plane::Point;
@@ -33,7 +35,7 @@ struct Behind<'a, R> {
 }
 
 /// A side of the room.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Side {
     /// Its number, and that of the next one, which starts at its left end.
     number: usize,
@@ -55,6 +57,17 @@ struct Root {
 
 /// A ray that continues the line from a root before: that root, and the direction.
 type Limit = (u32, [f64; 2]);
+
+/// A side seen edge-on, the nearest so far of those on its line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EdgeOn {
+    /// The root that sees it, and the length of the path to the nearer end.
+    from: u32,
+    length: f64,
+    side: Side,
+    /// Whether the nearer end is the right one: one line at most is seen that way, and one the other.
+    forwards: bool,
+}
 
 /// An endpoint of the portal, round which the path may bend.
 struct Endpoint {
@@ -80,12 +93,16 @@ impl Exact {
         let (range, first) = rooms.enter(beam.node.portal);
         let behind = Behind { rooms, scratch, start: self.start, parent, range };
         if beam.node.is_at_endpoint() {
+            if beam.node.left == ALONG {
+                self.go_along(&behind, first, beam);
+            }
             let root = Root { vertex: beam.node.root, at: beam.root, length: beam.node.length };
             let portal = rooms.prev(&behind.range, first);
             self.see_all(&behind, first, portal, root);
         } else {
             self.see_through_portal(&behind, first, beam);
         }
+        self.bend_round_nearest(&behind);
         behind.range
     }
 
@@ -99,7 +116,42 @@ impl Exact {
         if behind.may_cross(&side) {
             self.see_from(&behind, &side, root, [None, None]);
         }
+        self.bend_round_nearest(&behind);
         behind.range
+    }
+
+    /// The bends that were put off.
+    fn bend_round_nearest<R: Rooms>(&mut self, behind: &Behind<R>) {
+        while let Some(EdgeOn { from, length, side, forwards }) = self.edge_on.pop() {
+            let corner = if forwards { side.right } else { side.left };
+            self.bend_along(behind, &side, corner, from, length);
+        }
+    }
+
+    /// From a side that was seen edge-on to the next one on the line round which a path may bend. A path to that one that
+    /// is shorter than by way of the first makes all further ones useless.
+    fn go_along<R: Rooms>(&mut self, behind: &Behind<R>, first: usize, beam: &Beam) {
+        let Behind { rooms, ref range, parent, .. } = *behind;
+        let twin = rooms.prev(range, first);
+        let before = rooms.range(rooms.behind(rooms.portal(twin)));
+        let here = rooms.side(beam.node.portal);
+        let forwards = rooms.corner(here).vertex & ID == beam.node.root;
+        let mut number = here;
+        loop {
+            number = if forwards { rooms.next(&before, number) } else { rooms.prev(&before, number) };
+            let next = rooms.next(&before, number);
+            let side = Side { number, next, right: rooms.corner(number), left: rooms.corner(next) };
+            if number == here || orientation(beam.root, side.right.at, side.left.at).is_ne() {
+                return;
+            }
+            let corner = if forwards { side.right } else { side.left };
+            if corner.vertex & TURN != 0 && behind.may_cross(&side) {
+                let from_there = Behind { parent: self.nodes[parent as usize].parent, range: before, ..*behind };
+                let length = beam.node.length + distance(beam.root, corner.at);
+                self.bend_along(&from_there, &side, corner, beam.node.root, length);
+                return;
+            }
+        }
     }
 
     /// Sees all sides from `first` on up to the one before `last`.
@@ -252,8 +304,29 @@ impl Exact {
     /// A side from the corner at its one end, if the path may bend there.
     fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, from: u32, length: f64) {
         let vertex = corner.vertex & ID;
-        if corner.vertex & TURN != 0 && self.may_bend(behind, vertex, from, length) {
+        if corner.vertex & TURN == 0 {
+            return;
+        }
+        if self.everything {
+            let forwards = vertex == side.right.vertex & ID;
+            let new = EdgeOn { from, length, side: *side, forwards };
+            match self.edge_on.iter_mut().find(|old| old.from == from && old.forwards == forwards) {
+                Some(old) if old.length <= length => {}
+                Some(old) => *old = new,
+                None => self.edge_on.push(new),
+            }
+        } else if self.may_bend(behind, vertex, from, length) {
             self.found.push(behind.seen_from_endpoint(side, Root { vertex, at: corner.at, length }));
+        }
+    }
+
+    /// A side from the corner at its nearer end, to be gone on from along its line.
+    fn bend_along<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, from: u32, length: f64) {
+        let vertex = corner.vertex & ID;
+        if self.may_bend(behind, vertex, from, length) {
+            let mut beam = behind.seen_from_endpoint(side, Root { vertex, at: corner.at, length });
+            beam.node.left = ALONG;
+            self.found.push(beam);
         }
     }
 

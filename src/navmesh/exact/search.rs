@@ -1,7 +1,7 @@
 //! The search itself: cones in the order of their guesses.
 
 use super::super::QueryPoint;
-use super::super::marks::{ID, NONE};
+use super::super::marks::{ID, NONE, TURN};
 use super::super::merged::Merged;
 use super::super::mesh::NavMesh;
 use super::super::nearest::{closest_on, distance};
@@ -10,9 +10,14 @@ use super::super::rooms::Rooms;
 use super::super::scratch::Scratch;
 use super::cone::{Beam, Cone, ENDS, Node, START};
 use super::estimate::{between, guess, seen};
+use super::expand::EdgeOn;
+use super::ray::difference;
 use crate::ids::FaceId;
 use crate::plane::Point;
 use std::cmp::Reverse;
+
+/// More, as a share, than rounding changes the lengths of two paths that are compared.
+const ROUNDED: f64 = 1e-10;
 
 /// The shortest path to a vertex as far as it is known.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,6 +35,10 @@ pub(in super::super) struct Exact {
     pub(super) nodes: Vec<Node>,
     /// The cones behind the one that was looked at last.
     pub(super) found: Vec<Beam>,
+    /// The bends round sides seen edge-on that are put off till all sides of the room were seen.
+    pub(super) edge_on: Vec<EdgeOn>,
+    /// Whether all that can be reached is searched, and not for a goal.
+    pub(super) everything: bool,
     /// For each vertex what is known of it as a root.
     pub(super) roots: Vec<KnownRoot>,
     pub(super) start: Point,
@@ -60,6 +69,7 @@ impl Exact {
         self.roots.resize(mesh.vertex_bound().max(self.roots.len()), KnownRoot::default());
         self.nodes.clear();
         self.start = start;
+        self.everything = false;
         self.searched = Searched::of(mesh, merged);
     }
 
@@ -160,8 +170,8 @@ impl Exact {
         known.query == scratch.query && known.length < node.length
     }
 
-    /// Looks at every cone that begins within `limit`, without a goal, and tells `see` the shortest length to each
-    /// corner in sight, again whenever it is seen.
+    /// Looks at every cone that begins within `limit` and may hold a shortest path, without a goal, and tells `see` the
+    /// shortest length to each corner in sight, again whenever it is seen.
     pub(in super::super) fn survey(
         &mut self,
         mesh: &NavMesh,
@@ -172,6 +182,7 @@ impl Exact {
         see: impl FnMut(u32, f64),
     ) {
         self.begin(mesh, merged, scratch, start.point);
+        self.everything = true;
         match merged {
             Some(merged) => self.survey_in(&merged.rooms(mesh), scratch, limit, see),
             None => self.survey_in(mesh, scratch, limit, see),
@@ -185,36 +196,73 @@ impl Exact {
             let range = self.leave(rooms, scratch, scratch.starts[i].number(), NONE);
             range.map(corner).for_each(|v| see(v, distance(self.start, rooms.point(v))));
         }
-        self.enqueue_near(scratch, limit);
+        self.enqueue_near(rooms, scratch, limit);
         while let Some(Reverse((_, i))) = scratch.queue.pop() {
             scratch.work.pops += 1;
             let node = self.nodes[i as usize];
             if self.is_outdone(scratch, &node) {
                 continue;
             }
-            scratch.work.expansions += 1;
             let beam = self.beam(rooms, node);
+            if self.is_outdone_by_endpoint(rooms, scratch, &beam) {
+                continue;
+            }
+            scratch.work.expansions += 1;
             let range = self.expand(rooms, scratch, i, &beam);
             for v in range.map(corner) {
                 if let Some(length) = self.length_to(rooms, &beam, rooms.point(v)) {
                     see(v, length);
                 }
             }
-            self.enqueue_near(scratch, limit);
+            self.enqueue_near(rooms, scratch, limit);
         }
     }
 
-    /// Puts the cones that were found into the queue by how far their portals are, but for those beyond the limit.
-    fn enqueue_near(&mut self, scratch: &mut Scratch, limit: f64) {
+    /// Puts the cones that were found into the queue by how far their portals are, but for those beyond the limit and
+    /// those that hold no shortest path.
+    fn enqueue_near<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, limit: f64) {
         for beam in &self.found {
             let [right, left] = beam.endpoints;
             let ends = seen(beam).map(|t| between(right, left, t));
             let nearest = beam.node.length + distance(beam.root, closest_on(ends, beam.root));
-            if nearest <= limit {
+            if nearest <= limit && !self.is_outdone_by_endpoint(rooms, scratch, beam) {
                 scratch.push(nearest, self.nodes.len() as u32);
                 self.nodes.push(beam.node);
             }
         }
+    }
+
+    /// Whether each point that the cone sees of its portal is reached by a shorter path: straight along the portal, from an
+    /// endpoint to which the length of some path is known.
+    ///
+    /// ```text
+    ///   right endpoint v ●───a━━━p━━━━━b──────●   If v is outdone at b, the far end of what is seen, it is at each point p
+    ///                         ╲  ╱            before b, for root p + p b >= root b, and v p = v b - p b. So two lengths
+    ///                         root            decide for the whole part.
+    /// ```
+    ///
+    /// Two paths that are equally long but for rounding do not outdo each other. Only endpoints that paths bend round
+    /// count: at another one, a path may be known to one wedge of a double corner, and the portal be in the other. Cost:
+    /// that of entering the room.
+    ///
+    /// Source: Xin and Wang, *Improving Chen and Han's algorithm on the discrete geodesic problem*, 2009, which filters by
+    /// the three corners of a triangle.
+    fn is_outdone_by_endpoint<R: Rooms>(&self, rooms: &R, scratch: &Scratch, beam: &Beam) -> bool {
+        let (range, first) = rooms.enter(beam.node.portal);
+        let known = |s: usize| {
+            let vertex = rooms.corner(s).vertex;
+            let known = &self.roots[(vertex & ID) as usize];
+            if vertex & TURN != 0 && known.query == scratch.query { known.length } else { f64::INFINITY }
+        };
+        let [by_right, by_left] = [known(first), known(rooms.prev(&range, first))];
+        let [right, left] = beam.endpoints;
+        let [low, high] = seen(beam);
+        // By differences of points that were given: as exact far from the origin as near it.
+        let (portal, off) = (difference(right, left), difference(beam.root, right));
+        let whole = portal[0].hypot(portal[1]);
+        let straight = |t: f64| beam.node.length + (off[0] + portal[0] * t).hypot(off[1] + portal[1] * t);
+        let is_shorter = |round: f64, straight: f64| round < straight * (1.0 - ROUNDED);
+        is_shorter(by_right + whole * high, straight(high)) || is_shorter(by_left + whole * (1.0 - low), straight(low))
     }
 
     /// The length of the shortest path to the goal, which lies in the room behind the portal, through the cone; `None`
