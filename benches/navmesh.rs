@@ -94,6 +94,12 @@ fn linear() {
         let points: Vec<Point> = (0..count).map(|_| point()).collect();
         move || points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count()
     });
+    growth("all lengths there from its left end, by triangles", &DOUBLED, |count| {
+        let mesh = NavMesh::new(&pillars(count)).expect("triangles");
+        let start = mesh.place(Point::new(-0.5, -0.5)).expect("on the map");
+        let planner = std::cell::RefCell::new(Planner::new());
+        move || planner.borrow_mut().distance_field(&mesh, &start, f64::INFINITY).work.pushes
+    });
     growth("NavMesh::new and its faults, one face, by corners", &DOUBLED, |count| {
         let points = parabola(count);
         let mut face = PolygonList::new();

@@ -208,6 +208,11 @@ fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Er
         command.mut_args(numbers).mut_subcommands(with_numbers)
     }
     let mut command = with_numbers(Cli::command());
+    let mut arguments: Vec<OsString> = arguments.into_iter().collect();
+    // Help about help: `dcel help --help` is `dcel help`, and `dcel help lab -h` is `dcel help lab`.
+    if arguments.get(1).is_some_and(|first| first == "help") {
+        arguments.retain(|argument| argument != "--help" && argument != "-h");
+    }
     let matches = command.try_get_matches_from_mut(arguments)?;
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }

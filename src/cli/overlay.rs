@@ -182,7 +182,7 @@ impl Args {
         }
         match Format::from_path(path) {
             Some(format) => target.map(|_| Goal::File(path.clone(), format)),
-            None if path.extension().is_none() => {
+            None if !Target::is_named(path) => {
                 let what = format!("{}: the file name does not say what to write", path.display());
                 Err(Failure::input(what, "end it in .svg for a picture, in .dcel for the structure"))
             }

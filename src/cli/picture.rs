@@ -52,6 +52,12 @@ impl Target {
         }
     }
 
+    /// Whether the name of a file says what kind of picture it is.
+    pub(crate) fn is_named(path: &Path) -> bool {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        ending.is_some_and(|ending| ["svg", "png", "pdf", "tex", "tikz", "html", "htm"].contains(&&*ending))
+    }
+
     fn in_one_of(path: Option<&Path>, page: &Page, film: bool) -> Result<Self, Failure> {
         let dress = page.dress()?;
         let path = path.filter(|path| path.as_os_str() != "-");

@@ -101,6 +101,7 @@ fn overlays_are_drawn_and_named() {
     folder.dcel("overlay garden.json cube.off").fails(2, "cube.off: this is a surface", "--plane");
     folder.dcel("overlay garden.json tiles.obj -o tiles.obj").fails(2, "this is the input itself", "another name");
     folder.dcel("overlay garden.json tiles.obj -o both").fails(2, "the file name does not say", ".svg");
+    folder.dcel("overlay garden.json tiles.obj -o both.bogus").fails(2, "the file name does not say", ".dcel");
 }
 
 /// `defects/h1.json`

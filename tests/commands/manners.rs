@@ -153,11 +153,13 @@ fn standard_input_and_line_ends() {
 #[test]
 fn every_option_is_in_the_help_and_explained() {
     let folder = Folder::new();
+    assert_eq!(folder.dcel("help --help").fine(), folder.dcel("--help").fine());
     for command in COMMANDS {
         let options = folder.completed(command, "--");
         assert!(options.contains(&"--help".to_owned()), "{command}: {options:?}");
         let help = folder.dcel(&format!("{command} --help")).fine();
         assert_eq!(folder.dcel(&format!("help {command}")).fine(), help);
+        assert_eq!(folder.dcel(&format!("help {command} --help")).fine(), help);
         let lines: Vec<&str> = help.lines().map(str::trim).collect();
         for option in &options {
             let explained = lines
