@@ -54,9 +54,22 @@ pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Ordering {
     } else if determinant < -doubt {
         Ordering::Less
     } else {
-        in_circle_on_grid([a, b, c], d)
-            .unwrap_or_else(|| sign(robust::incircle(coord(a), coord(b), coord(c), coord(d))))
+        in_circle_exactly([a, b, c], d)
     }
+}
+
+/// The sign that is not clear from doubles. One of the corners lies on their circle: this is asked wherever a vertex has few
+/// edges, and would take all digits.
+#[cold]
+fn in_circle_exactly(corners: [Point; 3], d: Point) -> Ordering {
+    if corners.contains(&d) {
+        return Ordering::Equal;
+    }
+    let by_digits = || {
+        let [a, b, c] = corners.map(coord);
+        sign(robust::incircle(a, b, c, coord(d)))
+    };
+    in_circle_on_grid(corners, d).unwrap_or_else(by_digits)
 }
 
 /// How much of the sum of the sizes of its products rounding may change the determinant of a circle: (10 + 96 e) e,
@@ -65,7 +78,6 @@ const CIRCLE_ROUNDING: f64 = 1.110_223_024_625_157_7e-15;
 
 /// The same for points whose differences are multiples of 1/1024, and smaller than 2^20: in whole numbers. `None` for
 /// others.
-#[cold]
 fn in_circle_on_grid(corners: [Point; 3], d: Point) -> Option<Ordering> {
     let mut whole = [[0_i64; 2]; 3];
     for (p, whole) in corners.iter().zip(&mut whole) {

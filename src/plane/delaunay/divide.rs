@@ -151,12 +151,23 @@ impl Work<'_> {
 
     /// The half-edge of the outline through `start` whose origin comes first along the axis, or last. O(outline).
     fn extreme(&self, start: u32, axis: Axis, wanted: Ordering) -> u32 {
-        let (mut best, mut place) = (start, self.at(self.halves.origin(start)));
+        match (axis, wanted) {
+            (Axis::X, Ordering::Greater) => self.least(start, |p| [-p.x, -p.y]),
+            (Axis::X, _) => self.least(start, |p| [p.x, p.y]),
+            (Axis::Y, Ordering::Greater) => self.least(start, |p| [-p.y, p.x]),
+            (Axis::Y, _) => self.least(start, |p| [p.y, -p.x]),
+        }
+    }
+
+    /// The half-edge of the outline through `start` whose origin has the least first number, of these the least second one.
+    #[inline]
+    fn least(&self, start: u32, numbers: impl Fn(Point) -> [f64; 2]) -> u32 {
+        let (mut best, mut least) = (start, numbers(self.at(self.halves.origin(start))));
         let mut h = self.halves.next(start);
         while h != start {
-            let here = self.at(self.halves.origin(h));
-            if axis.compare(here, place) == wanted {
-                (best, place) = (h, here);
+            let here = numbers(self.at(self.halves.origin(h)));
+            if here[0] < least[0] || (here[0] <= least[0] && here[1] < least[1]) {
+                (best, least) = (h, here);
             }
             h = self.halves.next(h);
         }

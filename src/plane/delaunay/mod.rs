@@ -25,11 +25,10 @@ pub use constrained::ConstrainedDelaunay;
 pub use lawson::FlipEvent;
 
 use super::{CoordinateError, Point, Subdivision};
-use crate::geometry::threads::both;
+use crate::geometry::threads::{both, pieces_of};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 use divide::{Divided, divide_and_conquer};
-use halves::Half;
 use order::{Ordered, ordered};
 
 /// Why points have no Delaunay triangulation.
@@ -60,6 +59,9 @@ pub struct DelaunayBuilt {
     /// Points at the place of an earlier one, each with that one, by number. They share its vertex.
     pub repeated: Vec<(u32, u32)>,
 }
+
+/// So many rows of a column are a piece of work.
+const PIECE: usize = 1 << 14;
 
 impl Subdivision {
     /// The Delaunay triangulation of points.
@@ -148,46 +150,42 @@ fn assembled(ordered: &Ordered, names: &[u32], points: VertexMap<Point>) -> Subd
         }
         return subdivision;
     }
-    Subdivision::from_parts(with_faces(&divide_and_conquer(ordered), names, vertices), points)
+    Subdivision::from_parts(with_faces(divide_and_conquer(ordered), names, vertices), points)
 }
 
 /// The finished structure: the outline bounds `f0`, every other cycle a triangle. O(n).
-fn with_faces(divided: &Divided, names: &[u32], vertices: usize) -> Dcel {
-    let half = &divided.half;
-    let column = |value: fn(&Half) -> u32| -> Vec<u32> { half.iter().map(value).collect() };
+fn with_faces(Divided { half, outer }: Divided, names: &[u32], vertices: usize) -> Dcel {
+    let [mut origin, mut next, mut prev] = [(); 3].map(|()| vec![0; half.len()]);
+    pieces_of([&mut origin, &mut next, &mut prev], PIECE, |first, [origin, next, prev]| {
+        let rows = origin.iter_mut().zip(next).zip(prev).zip(&half[first..]);
+        for (((origin, next), prev), record) in rows {
+            (*origin, *next, *prev) = (names[record.origin as usize], record.next, record.prev);
+        }
+    });
+    drop(half);
     let at_vertices = || {
-        let mut first_at = vec![Columns::NONE; names.len()];
-        for (h, record) in half.iter().enumerate().rev() {
-            first_at[record.origin as usize] = h as u32;
-        }
         let mut outgoing = vec![Columns::NONE; vertices];
-        for (&name, h) in names.iter().zip(first_at) {
-            outgoing[name as usize] = h;
-        }
-        let origin = half.iter().map(|h| names[h.origin as usize]).collect();
-        (outgoing, origin)
+        origin.iter().enumerate().rev().for_each(|(h, &v)| outgoing[v as usize] = h as u32);
+        outgoing
     };
-    let ((face, boundary), ((outgoing, origin), (next, prev))) =
-        both(|| faces(divided), || both(at_vertices, || both(|| column(|h| h.next), || column(|h| h.prev))));
+    let ((face, boundary), outgoing) = both(|| faces(&next, outer), at_vertices);
     Dcel::from_columns(Columns { origin, next, prev, face, outgoing, boundary })
 }
 
 /// The face of each half-edge, and the first half-edge of each face.
-fn faces(Divided { half, outer }: &Divided) -> (Vec<u32>, Vec<u32>) {
-    let mut face = vec![Columns::NONE; half.len()];
-    let (mut boundary, mut h) = (Vec::with_capacity(half.len() / 3 + 1), *outer);
-    boundary.push(*outer);
+fn faces(next: &[u32], outer: u32) -> (Vec<u32>, Vec<u32>) {
+    let mut face = vec![Columns::NONE; next.len()];
+    let (mut boundary, mut h) = (Vec::with_capacity(next.len() / 3 + 1), outer);
+    boundary.push(outer);
     while face[h as usize] == Columns::NONE {
         face[h as usize] = 0;
         boundary[0] = boundary[0].min(h);
-        h = half[h as usize].next;
+        h = next[h as usize];
     }
-    for first in 0..half.len() {
+    for (first, &second) in next.iter().enumerate() {
         if face[first] == Columns::NONE {
-            let second = half[first].next as usize;
-            let third = half[second].next as usize;
-            for h in [first, second, third] {
-                face[h] = boundary.len() as u32;
+            for h in [first as u32, second, next[second as usize]] {
+                face[h as usize] = boundary.len() as u32;
             }
             boundary.push(first as u32);
         }

@@ -116,14 +116,15 @@ fn spread(x: u32) -> u32 {
 
 /// Sorts by key, digit by digit from the lowest on; stable. O(n · bits).
 fn sort_by_key(sites: &mut Vec<Site>, bits: u32) {
-    const DIGIT: u32 = 10;
-    if sites.len() < 1 << DIGIT {
+    const MOST: u32 = 12;
+    if sites.len() < 1 << MOST {
         return sites.sort_by_key(|site| site.key);
     }
+    let length = bits.div_ceil(bits.div_ceil(MOST));
     let mut sorted = sites.clone();
-    for shift in (0..bits).step_by(DIGIT as usize) {
-        let digit = |site: &Site| (site.key >> shift) as usize & ((1 << DIGIT) - 1);
-        let mut starts = [0_usize; 1 << DIGIT];
+    for shift in (0..bits).step_by(length as usize) {
+        let digit = |site: &Site| (site.key >> shift) as usize & ((1 << length) - 1);
+        let mut starts = vec![0_usize; 1 << length];
         sites.iter().for_each(|site| starts[digit(site)] += 1);
         let mut sum = 0;
         for start in &mut starts {
