@@ -14,6 +14,7 @@
 //!   areas.rs       Layer 3, faces
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   colour.rs      Colours as CSS writes them
+//!   dashes.rs      How much of a line its dashes draw
 //!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
 //!   error.rs       Why a file cannot be compared, and where
@@ -23,6 +24,7 @@
 //!   halves.rs      Half-edges that are declared and drawn
 //!   ink.rs         What can be seen
 //!   legends.rs     Legends within the box of a drawing
+//!   letters.rs     How large letters are
 //!   markers.rs     Which markers a line carries
 //!   numbers.rs     Lists of numbers in attributes
 //!   pairing.rs     Which point is which
@@ -100,6 +102,7 @@ mod answer;
 mod areas;
 mod beside;
 mod colour;
+mod dashes;
 mod declarations;
 mod declared;
 mod diff;
@@ -115,6 +118,7 @@ mod graph;
 mod halves;
 mod ink;
 mod legends;
+mod letters;
 mod links;
 mod markers;
 mod markup;
@@ -224,6 +228,7 @@ pub fn text(bytes: &[u8], side: Side) -> Result<&str, CompareError> {
 /// # Ok::<(), dcel_kit::compare::CompareError>(())
 /// ```
 pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comparison, CompareError> {
+    let same = reference == student;
     let [reference, student] = [reference, student].map(markup::without_mark);
     let at = |side: Side, text: &'_ str| {
         let text = text.to_owned();
@@ -231,7 +236,7 @@ pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comp
     };
     let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
     let target = expected.target(options).map_err(at(Side::Reference, reference))?;
-    if reference == student {
+    if same {
         return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
     }
     let found = File::read(student).map_err(at(Side::Student, student))?;

@@ -1,11 +1,12 @@
 //! Lengths of elements: what a style says comes before what the attribute says.
 //!
 //! ```text
-//!   width="25%"     a part of the room around        r="4mm"     with its unit        x=""    0
+//!   width="25%"   a part of the room around      r="4mm"   with its unit      r="-4"   as if nothing were said
 //! ```
 
 use super::{Around, FAR, word};
 use crate::compare::error::Fault;
+use crate::compare::geometry::is_never_negative;
 use crate::compare::numbers;
 use roxmltree::Node;
 
@@ -15,12 +16,14 @@ pub(super) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Aroun
     set_length(node, name, axis, around).map(Option::unwrap_or_default)
 }
 
-/// The same; `None` if it is missing or `auto`.
+/// The same; `None` if it is missing, `auto`, or below 0 where no such value is one (SVG 2, section 7.1: it is passed
+/// over, as if it were not written).
 pub(super) fn set_length(node: Node<'_, '_>, name: &str, axis: usize, around: &Around) -> Result<Option<f64>, Fault> {
     let attribute = node.attribute_node(name).map(|attribute| (attribute.value(), attribute.range().start));
     let style = around.own.geometry.of(node.tag_name().name(), name).map(|text| (text, node.range().start));
     let Some((text, offset)) = style.or(attribute).filter(|(text, _)| *text != "auto") else { return Ok(None) };
-    measured(text, axis, around, offset).map(Some)
+    let length = measured(text, axis, around, offset)?;
+    Ok(Some(length).filter(|length| *length >= 0.0 || !is_never_negative(name)))
 }
 
 /// The length that a text says, in the room.

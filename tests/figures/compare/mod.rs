@@ -5,10 +5,12 @@
 mod accepted;
 mod foreign;
 mod geometry;
+mod hidden;
 mod moving;
 mod pen;
 mod rewrites;
 mod seen;
+mod sheets;
 mod tools;
 mod values;
 mod variants;
