@@ -254,22 +254,19 @@ impl<'a> Eye<'a> {
             // On both sides of the middle, where an area may begin: the colours with and without lines.
             let points = [0.3 * own.half, -0.3 * own.half];
             let points = points.map(|off| Point::new(p.x - off * along.y, p.y + off * along.x));
-            own.letters = self.faded(points);
-            let sides = points.map(|p| {
-                self.look_below(&own.letters, p);
-                let all = self.colour(|_, _| true);
-                let ground = self.colour(|i, _| !self.is_line(i));
-                let without = self.colour(|i, _| own.coats.binary_search(&i).is_err());
-                (all, ground, contrast(all, without) >= FAINT)
-            });
+            let mut sides = points.map(|p| self.side(&own, p));
+            if sides.iter().any(|side| side.has_letters) {
+                own.letters = self.faded(points);
+                sides = points.map(|p| self.side(&own, p));
+            }
             // A line has another colour than what lies on either side of it, and than the paper.
             let blank = self.blank();
             let differs = |all: [f64; 3]| {
-                let on_both = sides.iter().all(|(_, ground, _)| contrast(all, *ground) >= FAINT);
+                let on_both = sides.iter().all(|side| contrast(all, side.ground) >= FAINT);
                 on_both && contrast(all, blank) >= FAINT
             };
-            let seen = sides.iter().any(|(all, ..)| differs(*all));
-            let alone = sides.iter().any(|side| side.2);
+            let seen = sides.iter().any(|side| differs(side.all));
+            let alone = sides.iter().any(|side| side.alone);
             marks.push((seen, alone));
             blotted |= !seen && self.is_blotted(&own);
             if !(seen && alone) {
@@ -291,6 +288,19 @@ impl<'a> Eye<'a> {
         reasons.sort_unstable();
         let count = |why: &Hidden| reasons.iter().filter(|other| *other == why).count();
         Err(reasons.iter().copied().max_by_key(|why| (count(why), std::cmp::Reverse(*why))).unwrap_or(Hidden::Ground))
+    }
+
+    /// What is seen at a point on one side of the middle of an edge.
+    fn side(&mut self, own: &Own, p: Point) -> Side {
+        self.look_below(&own.letters, p);
+        let all = self.colour(|_, _| true);
+        let without = self.colour(|i, _| own.coats.binary_search(&i).is_err());
+        Side {
+            all,
+            ground: self.colour(|i, _| !self.is_line(i)),
+            alone: contrast(all, without) >= FAINT,
+            has_letters: !self.letters.is_empty(),
+        }
     }
 
     /// The lines along this edge at a point.
@@ -474,6 +484,16 @@ struct Own {
     coats: Vec<u32>,
     letters: Vec<u32>,
     half: f64,
+}
+
+/// What is seen at a point: the colour, that without lines, and whether it is another one without those of the edge.
+#[derive(Clone, Copy)]
+struct Side {
+    all: [f64; 3],
+    ground: [f64; 3],
+    alone: bool,
+    /// Whether there are letters of ordinary size.
+    has_letters: bool,
 }
 
 /// The reason for what lies below such a coat, which is no line.

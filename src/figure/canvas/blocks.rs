@@ -1,4 +1,4 @@
-//! Style sheets as blocks: rules, media, anything else.
+//! Style sheets as blocks: rules, media, anything else. Marks in strings and in `url(...)` part nothing.
 //!
 //! ```text
 //!   @import "x";   a, b{...}   @media screen{ c{...} }   @supports (...){...}
