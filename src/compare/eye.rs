@@ -158,11 +158,11 @@ impl<'a> Eye<'a> {
         }
     }
 
-    /// The same, with some letters of ordinary size.
+    /// The same, with some letters of ordinary size, sorted.
     fn look_below(&mut self, letters: &[u32], p: Point) {
         self.look(p);
         if !letters.is_empty() {
-            self.stack.extend(self.letters.iter().filter(|i| letters.contains(i)));
+            self.stack.extend(self.letters.iter().filter(|i| letters.binary_search(i).is_ok()));
             self.stack.sort_unstable();
             self.stack.dedup();
         }
@@ -173,6 +173,10 @@ impl<'a> Eye<'a> {
         let mut out = Vec::new();
         for p in points {
             self.look(p);
+            self.work += self.letters.len() * self.stack.len();
+            if self.is_tired() {
+                break;
+            }
             out.extend(self.letters.iter().copied().filter(|&i| self.fades(i)));
         }
         out.sort_unstable();
@@ -203,12 +207,13 @@ impl<'a> Eye<'a> {
 
     /// Whether a disc too large for the background of a label, which is not seen itself, covers the last point looked at.
     fn is_blotted(&self, own: &Own) -> bool {
-        let top = own.coats.last().copied();
-        self.stack.iter().filter(|&&i| top.is_some_and(|top| i > top)).any(|&i| {
+        let Some(&top) = own.coats.last() else { return false };
+        let is_large_disc = |&&i: &&u32| {
             let coat = &self.painting.coats[i as usize];
-            let is_disc = matches!(coat.shape, Shape::Disc(_)) && coat.alpha > 0.5;
-            is_disc && coat.diameter() > DISC * self.span && self.fades(i)
-        })
+            matches!(coat.shape, Shape::Disc(_)) && coat.alpha > 0.5 && coat.diameter() > DISC * self.span
+        };
+        let mut above = self.stack.iter().rev().take_while(|&&i| i > top);
+        above.find(is_large_disc).is_some_and(|&i| self.fades(i))
     }
 
     fn is_line(&self, i: u32) -> bool {
