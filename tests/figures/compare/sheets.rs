@@ -132,4 +132,5 @@ fn sizes_of_letters_by_names_are_looked_up() {
     }
     equal(&text("font-size:calc(9px * 50);font-size:12px"));
     equal(&text("font-size:larger"));
+    equal(&text("font:12px 'Letters (wide)', serif"));
 }
