@@ -38,11 +38,15 @@ impl Critic<'_> {
         let mut reversed = Vec::new();
         let mut strange = Vec::new();
         let mut pale = Vec::new();
-        for outline in &self.found.outlines {
+        for (number, outline) in self.found.outlines.iter().enumerate() {
             let ring = rings::canonical(&self.translated(outline));
+            let is_face = || faces.contains_key(&ring) || faces.contains_key(&rings::reversed(&ring));
+            if self.hollow.contains(&number) && is_face() {
+                continue;
+            }
             if let Some((i, count)) = faces.get_mut(&ring) {
                 *count += 1;
-                if self.pale.contains(&outline.coat) {
+                if self.pale.contains(&number) {
                     pale.push(&expected[*i]);
                 }
             } else {

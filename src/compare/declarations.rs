@@ -7,6 +7,7 @@
 //! As attributes, names are as they are written; in rules and styles, small and capital letters are the same.
 
 use super::geometry::is_geometry;
+use crate::figure::canvas::blocks::{is_line_end, opened, parts};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::Node;
 use std::borrow::Cow;
@@ -32,10 +33,10 @@ pub(super) fn declarations<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[T
     let style = node.attribute("style").unwrap_or("");
     if style.contains("/*") || style.contains('\\') {
         let bare = bare(style);
-        let parts = bare.split(';').filter_map(|part| part.split_once(':'));
+        let parts = parts(&bare, ';').filter_map(|part| part.split_once(':'));
         all.extend(parts.map(|(key, value)| (key.trim().to_ascii_lowercase().into(), value.to_owned().into())));
     } else {
-        let parts = style.split(';').filter_map(|part| part.split_once(':'));
+        let parts = parts(style, ';').filter_map(|part| part.split_once(':'));
         all.extend(parts.map(|(key, value)| (lower(key.trim()), Cow::Borrowed(value))));
     }
     for important in [false, true] {
@@ -74,27 +75,32 @@ fn plain(value: &str) -> Cow<'_, str> {
     }
 }
 
-/// A style sheet without what stands between `/*` and `*/`, and with escaped letters as themselves: `str\6f ke` is `stroke`.
-/// Of escaped marks, such as `\:` in the name of a class, the backslash stays, so that they part nothing and are no name.
+/// A style sheet without comments, and with escaped letters as themselves: `str\6f ke` is `stroke`. Of escaped marks, such
+/// as `\:` in the name of a class, the backslash stays, so that they part nothing and are no name. What looks like a comment
+/// in quotes or in `url(...)` is none. O(length).
 pub(super) fn bare(css: &str) -> String {
     let mut out = String::with_capacity(css.len());
-    let mut rest = css;
-    while let Some(at) = rest.find(['/', '\\']) {
-        out.push_str(&rest[..at]);
-        rest = &rest[at..];
-        if let Some(comment) = rest.strip_prefix("/*") {
-            out.push(' ');
-            rest = comment.split_once("*/").map_or("", |(_, rest)| rest);
-        } else if let Some(escaped) = rest.strip_prefix('\\') {
-            let (letter, length) = unescaped(escaped);
-            out.push(letter.filter(|&c| c.is_alphanumeric() || c == '-' || c == '_').unwrap_or('\\'));
-            rest = &escaped[length..];
-        } else {
-            out.push('/');
-            rest = &rest[1..];
+    let (mut rest, mut end) = (css, None);
+    while let Some(c) = rest.chars().next() {
+        rest = &rest[c.len_utf8()..];
+        match (end, c) {
+            (_, '\\') => {
+                let (letter, length) = unescaped(rest);
+                out.push(letter.filter(|&c| c.is_alphanumeric() || c == '-' || c == '_').unwrap_or('\\'));
+                rest = &rest[length..];
+                continue;
+            }
+            (None, '/') if rest.starts_with('*') => {
+                out.push(' ');
+                rest = rest[1..].split_once("*/").map_or("", |(_, rest)| rest);
+                continue;
+            }
+            (Some(quote), c) => end = end.filter(|_| c != quote && (quote == ')' || !is_line_end(c))),
+            (None, c) => end = opened(&out, c, rest),
         }
+        out.push(c);
     }
-    out + rest
+    out
 }
 
 /// The character that stands behind a backslash, and how many bytes it takes: up to six hexadecimal digits and a blank, or

@@ -9,7 +9,7 @@ use super::Options;
 use super::beside::{Trim, thin};
 use super::drawing::Drawing;
 use super::error::{Fault, Problem};
-use super::eye::Eye;
+use super::eye::{Eye, Filling};
 use super::frame::{Best, Frame, Search, Turn};
 use super::graph::{Graph, Matched, Telling};
 use super::ink::Hidden;
@@ -44,8 +44,9 @@ pub(super) struct Seen {
 struct Unseen {
     edges: Vec<([u32; 2], Hidden)>,
     dots: Vec<(u32, Hidden)>,
-    /// Coats of faces that have the colour of the paper.
-    faces: BTreeSet<u32>,
+    /// Outlines, by their numbers, that have the colour of the paper, and those in which their own path fills nothing.
+    pale: BTreeSet<usize>,
+    hollow: BTreeSet<usize>,
 }
 
 /// What cannot be seen of the reference's own drawing: nobody else has to show it.
@@ -118,9 +119,18 @@ impl<'a> Target<'a> {
         // Lines so wide that they run into each other hide more or less, as they are ordered.
         out.merges = MERGED * out.edges.len() > self.sketch.graph.edges.len();
         out.dots.extend(unseen.dots.iter().filter_map(|&(m, _)| partner(m)));
-        for outline in found.outlines.iter().filter(|outline| unseen.faces.contains(&outline.coat)) {
-            let ring: Option<Vec<u32>> = outline.ring.iter().map(|&m| partner(m)).collect();
-            out.faces.extend(ring.map(|ring| rings::canonical(&ring)));
+        let ring = |i: usize| {
+            let ring: Option<Vec<u32>> = found.outlines[i].ring.iter().map(|&m| partner(m)).collect();
+            Some(rings::canonical(&ring?))
+        };
+        let is_unseen = |i: &usize| unseen.pale.contains(i) || unseen.hollow.contains(i);
+        out.faces.extend((0..found.outlines.len()).filter(is_unseen).filter_map(ring));
+        // A face may be the hole of another one, and be filled itself.
+        if !out.faces.is_empty() {
+            let seen = (0..found.outlines.len()).filter(|i| !is_unseen(i)).filter_map(ring);
+            for ring in seen {
+                out.faces.remove(&ring);
+            }
         }
         Ok(out)
     }
@@ -248,9 +258,12 @@ impl<'a> Target<'a> {
                 out.dots.push((m as u32, why));
             }
         }
-        for outline in &found.outlines {
-            if !eye.area(outline.coat) {
-                out.faces.insert(outline.coat);
+        for (i, outline) in found.outlines.iter().enumerate() {
+            let ring = outline.ring.iter().map(|&m| canvas[m as usize]).collect();
+            match eye.face(outline.coat, ring) {
+                Filling::Seen => {}
+                Filling::Pale => drop(out.pale.insert(i)),
+                Filling::Hollow => drop(out.hollow.insert(i)),
             }
         }
         let agrees = matched.faults() == 0 && out.edges.is_empty() && out.dots.is_empty();
@@ -282,12 +295,12 @@ impl<'a> Target<'a> {
             found.take_out(&unseen.edges, &unseen.dots, |m| keeps[m as usize]);
             matched = Matched::new(&expected.graph, &found.graph, self.tolerance);
         }
-        let pale = unseen.faces;
         let mut critic = Critic {
             target: self,
             found: &found,
             matched: &matched,
-            pale: &pale,
+            pale: &unseen.pale,
+            hollow: &unseen.hollow,
             differences: Vec::new(),
             notes: Vec::new(),
         };
@@ -308,7 +321,7 @@ impl<'a> Target<'a> {
 
     /// Takes out what the reference's own drawing hides, too.
     fn excuse(&self, unseen: &mut Unseen, found: &Sketch, matched: &Matched) -> Result<(), Fault> {
-        if unseen.edges.is_empty() && unseen.dots.is_empty() && unseen.faces.is_empty() {
+        if unseen.edges.is_empty() && unseen.dots.is_empty() && unseen.pale.is_empty() && unseen.hollow.is_empty() {
             return Ok(());
         }
         let excused = self.excused()?;
@@ -323,8 +336,8 @@ impl<'a> Target<'a> {
             let ring: Option<Vec<u32>> = outline.ring.iter().map(|&m| partner(m)).collect();
             ring.is_some_and(|ring| excused.faces.contains(&rings::canonical(&ring)))
         };
-        for outline in found.outlines.iter().filter(|outline| is_excused(outline)) {
-            unseen.faces.remove(&outline.coat);
+        for list in [&mut unseen.pale, &mut unseen.hollow] {
+            list.retain(|&i| !is_excused(&found.outlines[i]));
         }
         Ok(())
     }
@@ -349,7 +362,9 @@ pub(super) struct Critic<'a> {
     pub(super) found: &'a Sketch,
     pub(super) matched: &'a Matched,
     /// Coats of faces that have the colour of the paper.
-    pub(super) pale: &'a BTreeSet<u32>,
+    pub(super) pale: &'a BTreeSet<usize>,
+    /// Outlines in which their own path fills nothing: they fill no face.
+    pub(super) hollow: &'a BTreeSet<usize>,
     differences: Vec<Difference>,
     pub(super) notes: Vec<String>,
 }

@@ -98,17 +98,13 @@ pub enum Problem {
         what: String,
     },
     /// A rule of a style sheet that hides, and of which it cannot be said what.
-    #[error(
-        "the style rule `{selector}` hides something, and what it fits cannot be told: use ids, classes and names of elements, or attributes"
-    )]
+    #[error("the style rule `{selector}` hides something, and {}", untold(selector))]
     StyleRule {
         /// Its selector, shortened.
         selector: String,
     },
     /// A rule of a style sheet that changes how something looks, and of which it cannot be said what.
-    #[error(
-        "the style rule `{selector}` changes what is seen, and what it fits cannot be told: use ids, classes and names of elements, or attributes"
-    )]
+    #[error("the style rule `{selector}` changes what is seen, and {}", untold(selector))]
     StyleChange {
         /// Its selector, shortened.
         selector: String,
@@ -208,6 +204,15 @@ pub enum Problem {
         /// The other.
         second: String,
     },
+}
+
+/// What cannot be told of a style rule or of a block of them, and what to write in its place.
+fn untold(selector: &str) -> &'static str {
+    if selector.starts_with('@') {
+        "whether it applies is not worked out here: write its rules outside of it"
+    } else {
+        "what it fits cannot be told: use ids, classes and names of elements, or attributes"
+    }
 }
 
 /// A problem at a byte of the text.

@@ -12,7 +12,7 @@
 
 use super::beside::Beside;
 use super::ink::Hidden;
-use super::painting::{Coat, Mark, Painting, Part, Shape};
+use super::painting::{Area, Coat, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
 
@@ -31,6 +31,12 @@ const ALONE: f64 = 0.2;
 /// A gap that a label may make: at most so much of an edge, and so large a part of the drawing.
 const GAP: f64 = 0.45;
 const LABEL: f64 = 0.2;
+/// Letters along an edge are a label if they are no higher than this part of the drawing.
+const LETTERS: f64 = 0.08;
+/// A disc of a larger diameter than this part of the drawing, corner to corner of its box, is no background of a label.
+const DISC: f64 = 0.12;
+/// A text is the name in a disc if it is no longer than so many of its radii.
+const NAME: f64 = 6.0;
 /// So much of a circle has to be seen.
 const DOT: f64 = 0.2;
 
@@ -50,7 +56,19 @@ pub(super) struct Eye<'a> {
     /// How large the drawing is.
     span: f64,
     work: usize,
+    /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
     stack: Vec<u32>,
+    letters: Vec<u32>,
+}
+
+/// What is seen of a face.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Filling {
+    Seen,
+    /// It has the colour of the paper.
+    Pale,
+    /// Its own path fills nothing in it.
+    Hollow,
 }
 
 /// Level, column and row in one number.
@@ -72,7 +90,7 @@ impl<'a> Eye<'a> {
         for (i, coat) in painting.coats.iter().enumerate() {
             let [low, high] = coat.corners();
             let (low, high) = (Point::new(low.x - slack, low.y - slack), Point::new(high.x + slack, high.y + slack));
-            if !(low.x <= high.x && low.y <= high.y) || coat.alpha <= 0.0 || coat.is_label(span) {
+            if !(low.x <= high.x && low.y <= high.y) || coat.alpha <= 0.0 || coat.is_small_marker(span) {
                 continue;
             }
             let side = (high.x - low.x).max(high.y - low.y);
@@ -99,7 +117,19 @@ impl<'a> Eye<'a> {
         levels.dedup();
         let probes = PROBES.iter().find(|(most, _)| edges <= *most).map_or(3, |(_, probes)| *probes);
         let (bars, paper) = (beside.bars.clone(), beside.paper.clone());
-        Self { painting, cells, levels, corner, bars, paper, probes, span, work: 0, stack: Vec::new() }
+        Self {
+            painting,
+            cells,
+            levels,
+            corner,
+            bars,
+            paper,
+            probes,
+            span,
+            work: 0,
+            stack: Vec::new(),
+            letters: Vec::new(),
+        }
     }
 
     /// Whether too much lay over each other to look at it all: then all that was not looked at counted as seen.
@@ -107,16 +137,18 @@ impl<'a> Eye<'a> {
         self.work > WORK
     }
 
-    /// The coats that cover a point, the lowest first.
+    /// Finds the coats that cover a point, the lowest first.
     fn look(&mut self, p: Point) {
         self.stack.clear();
+        self.letters.clear();
         for &level in &self.levels {
             for &(_, i) in entries(&self.cells, self.corner, level, p) {
                 let coat = &self.painting.coats[i as usize];
                 let (covers, work) = coat.covers(p);
                 self.work += work;
                 if covers && self.painting.cut_off(coat, p).is_none() {
-                    self.stack.push(i);
+                    let list = if coat.is_small_text(self.span) { &mut self.letters } else { &mut self.stack };
+                    list.push(i);
                 }
             }
         }
@@ -124,6 +156,64 @@ impl<'a> Eye<'a> {
             self.stack.sort_unstable();
             self.stack.dedup();
         }
+    }
+
+    /// The same, with some letters of ordinary size, sorted.
+    fn look_below(&mut self, letters: &[u32], p: Point) {
+        self.look(p);
+        if !letters.is_empty() {
+            self.stack.extend(self.letters.iter().filter(|i| letters.binary_search(i).is_ok()));
+            self.stack.sort_unstable();
+            self.stack.dedup();
+        }
+    }
+
+    /// The letters at these points that nobody can read: they have the colour of the paper or of what lies below them.
+    fn faded(&mut self, points: [Point; 2]) -> Vec<u32> {
+        let mut out = Vec::new();
+        for p in points {
+            self.look(p);
+            self.work += self.letters.len() * self.stack.len();
+            if self.is_tired() {
+                break;
+            }
+            out.extend(self.letters.iter().copied().filter(|&i| self.fades(i)));
+        }
+        out.sort_unstable();
+        out.dedup();
+        out.retain(|&i| !self.is_name(i));
+        out
+    }
+
+    /// Whether a coat has the colour of the paper or of what lies below it at the last point looked at, lines left out.
+    fn fades(&self, i: u32) -> bool {
+        let colour = self.painting.coats[i as usize].colour;
+        let below = self.colour(|j, _| j < i && !self.is_line(j));
+        contrast(colour, below) < FAINT || contrast(colour, self.blank()) < FAINT
+    }
+
+    /// Whether a text is the name of a vertex: it is short, and its middle lies in a disc. Looks elsewhere.
+    fn is_name(&mut self, i: u32) -> bool {
+        let painting = self.painting;
+        let text = &painting.coats[i as usize];
+        let [low, high] = text.corners();
+        self.look(Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)));
+        let is_disc = |&j: &u32| match &painting.coats[j as usize] {
+            Coat { shape: Shape::Disc(disc), part: Part::Dot, .. } => text.diameter() <= NAME * disc.reach,
+            _ => false,
+        };
+        self.stack.iter().any(is_disc)
+    }
+
+    /// Whether a disc too large for the background of a label, which is not seen itself, covers the last point looked at.
+    fn is_blotted(&self, own: &Own) -> bool {
+        let Some(&top) = own.coats.last() else { return false };
+        let is_large_disc = |&&i: &&u32| {
+            let coat = &self.painting.coats[i as usize];
+            matches!(coat.shape, Shape::Disc(_)) && coat.alpha > 0.5 && coat.diameter() > DISC * self.span
+        };
+        let mut above = self.stack.iter().rev().take_while(|&&i| i > top);
+        above.find(is_large_disc).is_some_and(|&i| self.fades(i))
     }
 
     fn is_line(&self, i: u32) -> bool {
@@ -155,7 +245,7 @@ impl<'a> Eye<'a> {
         let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
         let mut marks = Vec::with_capacity(self.probes);
         let mut reasons = Vec::new();
-        let mut gap_is_small = true;
+        let (mut gap_is_small, mut blotted) = (true, false);
         for i in 0..self.probes {
             if self.is_tired() {
                 return Ok(());
@@ -165,25 +255,25 @@ impl<'a> Eye<'a> {
                 continue;
             }
             let p = Point::new(a.x + far * along.x, a.y + far * along.y);
-            let own = self.own(p, along, tolerance);
+            let mut own = self.own(p, along, tolerance);
             // On both sides of the middle, where an area may begin: the colours with and without lines.
-            let sides = [0.3, -0.3].map(|side| {
-                let off = side * own.half;
-                self.look(Point::new(p.x - off * along.y, p.y + off * along.x));
-                let all = self.colour(|_, _| true);
-                let ground = self.colour(|i, _| !self.is_line(i));
-                let without = self.colour(|i, _| own.coats.binary_search(&i).is_err());
-                (all, ground, contrast(all, without) >= FAINT)
-            });
+            let points = [0.3 * own.half, -0.3 * own.half];
+            let points = points.map(|off| Point::new(p.x - off * along.y, p.y + off * along.x));
+            let mut sides = points.map(|p| self.side(&own, p));
+            if sides.iter().any(|side| side.has_letters) {
+                own.letters = self.faded(points);
+                sides = points.map(|p| self.side(&own, p));
+            }
             // A line has another colour than what lies on either side of it, and than the paper.
             let blank = self.blank();
             let differs = |all: [f64; 3]| {
-                let on_both = sides.iter().all(|(_, ground, _)| contrast(all, *ground) >= FAINT);
+                let on_both = sides.iter().all(|side| contrast(all, side.ground) >= FAINT);
                 on_both && contrast(all, blank) >= FAINT
             };
-            let seen = sides.iter().any(|(all, ..)| differs(*all));
-            let alone = sides.iter().any(|side| side.2);
+            let seen = sides.iter().any(|side| differs(side.all));
+            let alone = sides.iter().any(|side| side.alone);
             marks.push((seen, alone));
+            blotted |= !seen && self.is_blotted(&own);
             if !(seen && alone) {
                 reasons.push(self.reason(&own, p));
                 gap_is_small &= seen || self.is_small(&own, p);
@@ -197,7 +287,7 @@ impl<'a> Eye<'a> {
         }
         let open = [marks.first(), marks.last()].iter().flatten().all(|mark| mark.0);
         let labelled = gap_is_small && open && seen >= 1.0 - GAP;
-        if (seen >= SEEN || labelled) && alone >= ALONE {
+        if (seen >= SEEN || labelled) && alone >= ALONE && !blotted {
             return Ok(());
         }
         reasons.sort_unstable();
@@ -205,9 +295,22 @@ impl<'a> Eye<'a> {
         Err(reasons.iter().copied().max_by_key(|why| (count(why), std::cmp::Reverse(*why))).unwrap_or(Hidden::Ground))
     }
 
+    /// What is seen at a point on one side of the middle of an edge.
+    fn side(&mut self, own: &Own, p: Point) -> Side {
+        self.look_below(&own.letters, p);
+        let all = self.colour(|_, _| true);
+        let without = self.colour(|i, _| own.coats.binary_search(&i).is_err());
+        Side {
+            all,
+            ground: self.colour(|i, _| !self.is_line(i)),
+            alone: contrast(all, without) >= FAINT,
+            has_letters: !self.letters.is_empty(),
+        }
+    }
+
     /// The lines along this edge at a point.
     fn own(&mut self, p: Point, along: Point, tolerance: f64) -> Own {
-        let mut out = Own { coats: Vec::new(), half: 0.0 };
+        let mut out = Own { coats: Vec::new(), letters: Vec::new(), half: 0.0 };
         for &level in &self.levels {
             for &(_, i) in entries(&self.cells, self.corner, level, p) {
                 self.work += 1;
@@ -242,11 +345,13 @@ impl<'a> Eye<'a> {
         if let Some(canvas) = cut.iter().all(Option::is_some).then(|| cut.iter().flatten().any(|canvas| *canvas)) {
             return if canvas { Hidden::Canvas } else { Hidden::Clip };
         }
-        self.look(p);
+        self.look_below(&own.letters, p);
         let above = self.stack.iter().rev().take_while(|&&i| i > top);
         let covering = above.copied().find(|&i| self.painting.coats[i as usize].alpha > 0.5);
+        let is_small_text = |i: u32| self.painting.coats[i as usize].is_small_text(self.span);
         match covering.map(|i| (self.is_line(i), self.painting.coats[i as usize].part)) {
             Some((true, _)) => Hidden::Line,
+            Some(_) if covering.is_some_and(is_small_text) => Hidden::Faded,
             Some((_, part)) => hiding(part),
             None if own.coats.iter().all(|&i| self.painting.coats[i as usize].alpha < PALEST) => Hidden::Faint,
             None if contrast(self.colour(|_, _| true), self.blank()) < FAINT => Hidden::Paper,
@@ -257,12 +362,16 @@ impl<'a> Eye<'a> {
     /// Whether all that covers the lines of an edge at a point is small, as the box of a label is.
     fn is_small(&mut self, own: &Own, p: Point) -> bool {
         let Some(&top) = own.coats.last() else { return false };
-        self.look(p);
+        self.look_below(&own.letters, p);
         let mut above = self.stack.iter().filter(|&&i| i > top && self.painting.coats[i as usize].alpha > 0.2);
         let small = |i: &u32| {
             let coat = &self.painting.coats[*i as usize];
-            let [low, high] = coat.corners();
-            matches!(coat.part, Part::Area | Part::Other) && (high.x - low.x).hypot(high.y - low.y) <= LABEL * self.span
+            let is_small = coat.diameter() <= LABEL * self.span;
+            match coat.part {
+                Part::Area | Part::Other => is_small,
+                Part::Mark(Mark::Letters) => is_small || coat.thickness() <= LETTERS * self.span,
+                _ => false,
+            }
         };
         let any = above.clone().next().is_some();
         any && above.all(small)
@@ -272,6 +381,8 @@ impl<'a> Eye<'a> {
     pub(super) fn vertex(&mut self, centre: Point, radius: f64, tolerance: f64) -> Result<(), Hidden> {
         const ROUND: usize = 16;
         let (mut seen, mut looked, mut top, mut below) = (0, 0, None, false);
+        // Where its colour is not that of the paper: points at which lines have it, too, and areas.
+        let (mut swallowed, mut grounded, mut blank) = (0, 0, 0);
         // Well inside, and where a rim is: however thin, one of the last two lies on it.
         for part in [0.45, 0.8, 0.93, 0.985] {
             for i in 0..ROUND {
@@ -293,6 +404,11 @@ impl<'a> Eye<'a> {
                     seen += 1;
                 } else if let Some(&own) = owned {
                     top = top.or(self.stack.last().filter(|&&last| last > own).copied());
+                    match self.stack.iter().rev().find(|&&i| !is_own(&self.painting.coats[i as usize])) {
+                        _ if contrast(all, self.blank()) < FAINT => blank += 1,
+                        Some(&i) if self.is_line(i) => swallowed += 1,
+                        _ => grounded += 1,
+                    }
                 }
             }
         }
@@ -303,6 +419,8 @@ impl<'a> Eye<'a> {
             Some((true, _)) => Hidden::Line,
             Some((_, part)) => hiding(part),
             None if !below => Hidden::Clip,
+            None if swallowed > blank.max(grounded) => Hidden::Swallowed,
+            None if grounded > blank => Hidden::Ground,
             None => Hidden::Paper,
         })
     }
@@ -344,28 +462,43 @@ impl<'a> Eye<'a> {
         self.stack.iter().find_map(other)
     }
 
-    /// Whether an area has another colour than the paper.
-    pub(super) fn area(&mut self, coat: u32) -> bool {
+    /// What is seen of a face whose corners on the canvas are a ring, painted by a coat.
+    pub(super) fn face(&mut self, coat: u32, ring: Vec<Point>) -> Filling {
         let painting = self.painting;
-        let Shape::Area(area) = &painting.coats[coat as usize].shape else { return true };
-        let points = area.inner_points();
+        let Shape::Area(area) = &painting.coats[coat as usize].shape else { return Filling::Seen };
+        let ring = Area::new(&[ring], false);
+        let points = area.inner_points(&ring);
+        if points.is_empty() {
+            return Filling::Hollow;
+        }
         let mut seen = 0;
         for &p in &points {
             if self.is_tired() {
-                return true;
+                return Filling::Seen;
             }
             self.look(p);
             let areas = self.colour(|_, coat| coat.part == Part::Area);
             seen += usize::from(contrast(areas, self.blank()) >= PALE);
         }
-        points.is_empty() || 2 * seen > points.len()
+        if 2 * seen > points.len() { Filling::Seen } else { Filling::Pale }
     }
 }
 
-/// The lines along an edge, sorted, and half the width of the widest.
+/// The lines along an edge, sorted, and half the width of the widest; the letters at a point of it that nobody can read.
 struct Own {
     coats: Vec<u32>,
+    letters: Vec<u32>,
     half: f64,
+}
+
+/// What is seen at a point: the colour, that without lines, and whether it is another one without those of the edge.
+#[derive(Clone, Copy)]
+struct Side {
+    all: [f64; 3],
+    ground: [f64; 3],
+    alone: bool,
+    /// Whether there are letters of ordinary size.
+    has_letters: bool,
 }
 
 /// The reason for what lies below such a coat, which is no line.

@@ -22,6 +22,11 @@ pub(super) fn is_geometry(key: &str) -> bool {
     NAMES.contains(&key)
 }
 
+/// Whether values below 0 of a property are none.
+pub(super) fn is_never_negative(key: &str) -> bool {
+    LENGTHS.contains(&key)
+}
+
 impl Geometry {
     /// Keeps what a style says; a later word wins. Other properties are passed over.
     pub(super) fn set(&mut self, key: &str, value: &str) {

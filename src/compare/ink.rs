@@ -9,8 +9,10 @@
 //! What lies over a line is found out by `eye.rs`, from what all elements paint.
 
 use super::colour::{Paint, paint};
+use super::dashes::{self, Dashes};
 use super::declarations::declarations;
 use super::geometry::Geometry;
+use super::letters::Letters;
 use super::markers::{Markers, Stand};
 use super::numbers;
 use super::served::{Served, Servers};
@@ -19,19 +21,18 @@ use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::Node;
 use std::rc::Rc;
 
-/// Less of a line than this drawn by its dashes cannot be seen.
-const DASHED: f64 = 0.2;
-
 /// Why a line, a dot or an area cannot be seen.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Hidden {
     NoStroke,
     NoWidth,
+    NoSize,
     Thin,
     Transparent,
     Faint,
     Paper,
     Ground,
+    Swallowed,
     Switched,
     Dashes,
     Veil,
@@ -39,6 +40,7 @@ pub(super) enum Hidden {
     Canvas,
     Marker,
     Letters,
+    Faded,
     Area,
     Dot,
     Line,
@@ -51,11 +53,16 @@ impl Hidden {
         let [one, many] = match self {
             Self::NoStroke => ["it has no stroke", "they have no stroke"],
             Self::NoWidth => ["its stroke-width is 0", "their stroke-width is 0"],
+            Self::NoSize => ["it has no size: its radius is 0 or less", "they have no size: their radius is 0 or less"],
             Self::Thin => ["its line is thinner than 0.1 px", "their lines are thinner than 0.1 px"],
             Self::Transparent => ["its opacity is 0", "their opacity is 0"],
             Self::Faint => ["it is almost transparent", "they are almost transparent"],
             Self::Paper => ["it has the colour of the paper", "they have the colour of the paper"],
             Self::Ground => ["it has the colour of what lies below it", "they have the colour of what lies below them"],
+            Self::Swallowed => [
+                "it cannot be told from the lines that end there: make it larger",
+                "they cannot be told from the lines that end there: make them larger",
+            ],
             Self::Switched => ["its visibility is hidden", "their visibility is hidden"],
             Self::Dashes => ["its dashes leave it out", "their dashes leave them out"],
             Self::Veil => [
@@ -71,6 +78,10 @@ impl Hidden {
             Self::Letters => [
                 "large letters are drawn over it: make the text smaller",
                 "large letters are drawn over them: make the text smaller",
+            ],
+            Self::Faded => [
+                "letters that cannot be told from what lies round them are drawn over it",
+                "letters that cannot be told from what lies round them are drawn over them",
             ],
             Self::Area => [
                 "a filled shape is drawn over it: draw faces first",
@@ -113,8 +124,9 @@ pub(super) struct Ink {
     pub(super) hatched: bool,
     servers: Rc<Servers>,
     pub(super) markers: Markers,
-    /// The size of letters.
-    pub(super) letters: f64,
+    pub(super) letters: Letters,
+    /// Whether the rims of letters lie below them.
+    pub(super) rim_below: bool,
     /// Where a text lies: 0 behind its place, 0.5 in the middle, 1 before it.
     pub(super) anchor: f64,
 }
@@ -139,7 +151,8 @@ impl Default for Ink {
             hatched: false,
             servers: Rc::default(),
             markers: Markers::default(),
-            letters: 16.0,
+            letters: Letters::default(),
+            rim_below: false,
             anchor: 0.0,
         }
     }
@@ -196,7 +209,9 @@ impl Ink {
     /// rules look at: the tags from the root to the node.
     pub(super) fn inside(&self, node: Node<'_, '_>, rules: &[Rule<'_>], path: &[Tag]) -> Option<(Self, Own)> {
         let (mut out, mut own) = (self.clone(), Own::default());
-        for (key, value) in declarations(node, rules, path) {
+        let said = declarations(node, rules, path);
+        said.iter().filter(|(key, _)| key.starts_with("--")).for_each(|(name, value)| out.letters.name(name, value));
+        for (key, value) in said {
             out.set(key.strip_prefix("-webkit-").unwrap_or(&key), &value, self, &mut own);
         }
         out.veiled |= !own.veils.is_empty();
@@ -206,7 +221,8 @@ impl Ink {
     fn set(&mut self, key: &str, value: &str, around: &Self, own: &mut Own) {
         let value = plainly(key, value.trim());
         own.unworked.retain(|(other, _)| other != key);
-        if is_unread(key, value) {
+        // Letters keep their own.
+        if !key.starts_with("font") && is_unread(key, value) {
             own.unworked.push((key.to_owned(), value.to_owned()));
         }
         let inherits = value == "inherit";
@@ -227,11 +243,15 @@ impl Ink {
             "fill-rule" => self.even_odd = value == "evenodd",
             "stroke" if inherits => (self.stroke, self.flat[1]) = (around.stroke, around.flat[1]),
             "stroke" => Served { paint: self.stroke, flat: self.flat[1], .. } = self.servers.paint(value),
-            "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
+            // A width below 0 is none: it is passed over.
+            "stroke-width" => match numbers::measure(value) {
+                Some(width) if width < 0.0 => {}
+                width => self.width = width.unwrap_or(around.width),
+            },
             "stroke-linecap" if inherits => self.round = around.round,
             "stroke-linecap" => self.round = matches!(value, "round" | "square"),
             "stroke-dasharray" if inherits => self.dashes = Rc::clone(&around.dashes),
-            "stroke-dasharray" => self.dashes = dashes(value),
+            "stroke-dasharray" => self.dashes = dashes::read(value),
             "stroke-dashoffset" if inherits => self.dash_start = around.dash_start,
             "stroke-dashoffset" => self.dash_start = numbers::measure(value).unwrap_or(0.0),
             "fill-opacity" => self.fill_opacity = fraction(value).unwrap_or(around.fill_opacity),
@@ -254,19 +274,16 @@ impl Ink {
             "clip-path" => own.clip = (!none && value != "initial").then(|| value.to_owned()),
             "transform" => own.transform = (!none).then(|| value.to_owned()),
             "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
+            "paint-order" if inherits => self.rim_below = around.rim_below,
+            "paint-order" => self.rim_below = value.starts_with("stroke"),
             "marker-start" if !inherits => self.markers.set(Stand::Start, value),
             "marker-mid" if !inherits => self.markers.set(Stand::Middle, value),
             "marker-end" if !inherits => self.markers.set(Stand::End, value),
             "marker" if !inherits => {
                 [Stand::Start, Stand::Middle, Stand::End].into_iter().for_each(|end| self.markers.set(end, value));
             }
-            "font-size" => self.letters = size_of_letters(value, around.letters).unwrap_or(around.letters),
-            "font" => {
-                let has_unit = |word: &&str| word.ends_with(|c: char| c.is_ascii_alphabetic() || c == '%');
-                let mut words = value.split([' ', '/']).filter(has_unit);
-                let size = words.find_map(|word| size_of_letters(word, around.letters));
-                self.letters = size.unwrap_or(around.letters);
-            }
+            "font-size" => self.letters.set("font-size", value, &around.letters),
+            "font" => self.letters.set("font", value, &around.letters),
             "text-anchor" if !inherits => {
                 self.anchor = match value {
                     "middle" => 0.5,
@@ -326,24 +343,20 @@ impl Ink {
         }
     }
 
+    fn pattern(&self) -> Dashes<'_> {
+        let ends = if self.round { self.width() } else { 0.0 };
+        Dashes { lengths: &self.dashes, start: self.dash_start, ends }
+    }
+
     /// Whether the dashes draw hardly anything of a line that lies so far from the start of its path, its lengths as
     /// they are before any transform.
     pub(super) fn dashed_away(&self, from: f64, length: f64) -> bool {
-        let period: f64 = self.dashes.iter().sum();
-        if self.dashes.is_empty() || period <= 0.0 || length <= 0.0 {
-            return false;
-        }
-        let whole = (length / period).floor();
-        let ink: f64 = self.dashes.iter().step_by(2).sum();
-        let start = (from + self.dash_start + whole * period).rem_euclid(period);
-        let end = start + (length - whole * period);
-        let (mut at, mut drawn) = (0.0, whole * ink);
-        for (i, dash) in self.dashes.iter().chain(self.dashes.iter()).enumerate() {
-            let part = (end.min(at + dash) - start.max(at)).max(0.0);
-            drawn += if i % 2 == 0 { part } else { 0.0 };
-            at += dash;
-        }
-        drawn < DASHED * length
+        self.pattern().leave_out(from, length)
+    }
+
+    /// Whether one gap of the dashes, longer than `usual`, leaves out a large part of such a line.
+    pub(super) fn has_gap(&self, from: f64, length: f64, usual: f64) -> bool {
+        self.pattern().leave_a_gap(from, length, usual)
     }
 
     /// Whether nothing of this style can be seen because it is switched off.
@@ -355,29 +368,6 @@ impl Ink {
     pub(super) fn fills(&self) -> bool {
         self.hidden_fill().is_none_or(|why| why == Hidden::Veil)
     }
-}
-
-/// An even number of lengths; none for a line without gaps.
-fn dashes(text: &str) -> Rc<[f64]> {
-    let words = text.split([',', ' ']).filter(|word| !word.is_empty());
-    let lengths: Option<Vec<f64>> = words.map(|word| numbers::measure(word).filter(|x| *x >= 0.0)).collect();
-    let mut lengths = lengths.unwrap_or_default();
-    if lengths.len() % 2 == 1 {
-        lengths.extend_from_within(..);
-    }
-    lengths.into()
-}
-
-/// The size of letters from a length, or from a part of the size around.
-fn size_of_letters(text: &str, around: f64) -> Option<f64> {
-    let part = |unit: &str| numbers::length(text.strip_suffix(unit)?);
-    let part = part("%").map(|x| x / 100.0).or_else(|| part("em")).map(|x| x * around);
-    part_of_root(text).or(part).or_else(|| numbers::measure(text))
-}
-
-/// `2rem`.
-fn part_of_root(text: &str) -> Option<f64> {
-    numbers::length(text.strip_suffix("rem")?).map(|x| 16.0 * x)
 }
 
 pub(super) fn fraction(text: &str) -> Option<f64> {

@@ -14,6 +14,7 @@
 //!   areas.rs       Layer 3, faces
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   colour.rs      Colours as CSS writes them
+//!   dashes.rs      How much of a line its dashes draw
 //!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
 //!   error.rs       Why a file cannot be compared, and where
@@ -23,6 +24,7 @@
 //!   halves.rs      Half-edges that are declared and drawn
 //!   ink.rs         What can be seen
 //!   legends.rs     Legends within the box of a drawing
+//!   letters.rs     How large letters are
 //!   markers.rs     Which markers a line carries
 //!   numbers.rs     Lists of numbers in attributes
 //!   pairing.rs     Which point is which
@@ -59,29 +61,33 @@
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
 //! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
-//! descendants, children, `@media screen`) are understood, and a `DOCTYPE` that declares nothing. A style also says
-//! where a circle, an ellipse, a rectangle or a picture lies and how large it is (`cx`, `r`, `width`, ...), and the `d` of
-//! a path; a background of the root is its paper. Passed over: texts and markers of ordinary size, labels in a
-//! `foreignObject`, curves, what is not displayed, an area round everything (paper) with the lines along its border and
-//! the ticks beyond it, what is called legend or axis and stands clear of the structure, a legend in a free corner of it,
-//! small areas that touch no vertex (letters), animations of what is not read, and anything else with a note. In the
-//! kit's own figures (`data-figure` on the root) half-edges, pointers and other decoration are passed over, too, but the
-//! half-edges that are declared there have to be seen. y points down in SVG: write `height - y`.
+//! descendants, children, `@media screen` and `<style media="print">`, strings) are understood, and a `DOCTYPE` that
+//! declares nothing. A style also says where a circle, an ellipse, a rectangle or a picture lies and how large it is
+//! (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its paper. Passed over: texts and
+//! markers of ordinary size, labels in a `foreignObject`, curves, what is not displayed, an area round everything
+//! (paper) with the lines along its border and the ticks beyond it, what is called legend or axis and stands clear of
+//! the structure, a legend in a free corner of it, small areas that touch no vertex (letters), animations of what is
+//! not read, and anything else with a note. In the kit's own figures (`data-figure` on the root) half-edges, pointers
+//! and other decoration are passed over, too, but the half-edges that are declared there have to be seen. y points down
+//! in SVG: write `height - y`.
 //!
-//! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is not
-//! understood what it fits, an animation of anything that is read, a box in a `foreignObject` that may reach anywhere, and
-//! properties that move an element otherwise than by `transform`; values that browsers work out and a comparison does not
-//! (`var(...)`, `calc(...)`, `color-mix(...)`, widths in `em`), and style sheets outside of the file.
+//! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
+//! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of anything
+//! that is read, a box in a `foreignObject` that may reach anywhere, and properties that move an element otherwise than
+//! by `transform`; values that browsers work out and a comparison does not (`var(...)`, `calc(...)`, `color-mix(...)`,
+//! widths in `em`), but for `var(...)` as the size of letters, and style sheets outside of the file.
 //!
 //! # What has to be seen
 //!
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
-//! the small box of a label may hide its middle. A vertex is seen if its circle is, and reaches no other vertex. A face
+//! the small box of a label may hide its middle, and dashes as usual leave gaps: but no gap of more than 24 px that is
+//! a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and reaches no other vertex. A face
 //! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
-//! off by a clip path or the `viewBox`, left out by dashes, transparent, painted by a gradient that is not there, below
-//! large letters or markers, or behind a mask or filter is told, with the reason. So is a line of less than 0.1 px, of which
-//! a screen shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px if it has no size. What
-//! the reference's own drawing hides nobody has to show. Colours themselves are not compared.
+//! off by a clip path or the `viewBox`, left out by dashes, without a size, filled twice under `evenodd`, transparent,
+//! painted by a gradient that is not there, below large letters or markers or letters that have the colour of what lies
+//! round them, or behind a mask or filter is told, with the reason. So is a line of less than 0.1 px, of which a screen
+//! shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px if it has no size. What the
+//! reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
 //! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The
@@ -100,6 +106,7 @@ mod answer;
 mod areas;
 mod beside;
 mod colour;
+mod dashes;
 mod declarations;
 mod declared;
 mod diff;
@@ -115,6 +122,7 @@ mod graph;
 mod halves;
 mod ink;
 mod legends;
+mod letters;
 mod links;
 mod markers;
 mod markup;
@@ -224,6 +232,7 @@ pub fn text(bytes: &[u8], side: Side) -> Result<&str, CompareError> {
 /// # Ok::<(), dcel_kit::compare::CompareError>(())
 /// ```
 pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comparison, CompareError> {
+    let same = reference == student;
     let [reference, student] = [reference, student].map(markup::without_mark);
     let at = |side: Side, text: &'_ str| {
         let text = text.to_owned();
@@ -231,7 +240,7 @@ pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comp
     };
     let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
     let target = expected.target(options).map_err(at(Side::Reference, reference))?;
-    if reference == student {
+    if same {
         return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
     }
     let found = File::read(student).map_err(at(Side::Student, student))?;

@@ -127,20 +127,34 @@ impl Area {
         (if self.even_odd { crossings % 2 == 1 } else { winding != 0 }, looked)
     }
 
-    /// The middles of the widest inner stretches at some heights: points well inside.
-    pub(super) fn inner_points(&self) -> Vec<Point> {
-        let height = self.high.y - self.low.y;
-        let heights = [0.5, 0.31, 0.69, 0.15, 0.85, 0.06, 0.94].map(|t| self.low.y + t * height);
+    /// The middles of the widest stretches at some heights that lie within a ring and are covered: points well inside
+    /// of both. None if nothing within the ring is covered. O(sides of the ring and of the bands at these heights).
+    pub(super) fn inner_points(&self, ring: &Self) -> Vec<Point> {
+        let height = ring.high.y - ring.low.y;
+        let heights = [0.5, 0.31, 0.69, 0.15, 0.85, 0.06, 0.94].map(|t| ring.low.y + t * height);
         let widest = |y: f64| {
-            let meets = |&&[a, b]: &&[Point; 2]| (a.y > y) != (b.y > y);
-            let at = |&[a, b]: &[Point; 2]| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
-            let mut meetings: Vec<f64> = self.sides.iter().filter(meets).map(at).collect();
+            let mut meetings: Vec<f64> = ring.meetings(y).collect();
+            let [low, high] = [ring.low.x, ring.high.x];
+            meetings.extend(self.meetings(y).filter(|x| (low..=high).contains(x)));
             meetings.sort_by(f64::total_cmp);
             let stretches = meetings.windows(2).map(|w| (w[1] - w[0], Point::new(0.5 * (w[0] + w[1]), y)));
-            let inside = stretches.filter(|(width, p)| *width > 0.0 && self.covers(*p).0);
+            let inside = stretches.filter(|(width, p)| *width > 0.0 && ring.covers(*p).0 && self.covers(*p).0);
             inside.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p)
         };
         heights.into_iter().filter_map(widest).collect()
+    }
+
+    /// Where the sides meet a height.
+    fn meetings(&self, y: f64) -> impl Iterator<Item = f64> + '_ {
+        let band = match self.bands.len() {
+            _ if y < self.low.y || y > self.high.y => Some(&[][..]),
+            0 => None,
+            count => Some(&self.bands[self.band(count, y)][..]),
+        };
+        let all = self.sides.iter().filter(move |_| band.is_none());
+        let near = band.into_iter().flatten().map(|&i| &self.sides[i as usize]);
+        let meets = move |&&[a, b]: &&[Point; 2]| (a.y > y) != (b.y > y);
+        all.chain(near).filter(meets).map(move |&[a, b]| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
     }
 
     pub(super) fn corners(&self) -> [Point; 2] {
@@ -179,16 +193,28 @@ impl Coat {
         }
     }
 
-    /// Whether it is a marker or a text of ordinary size in a drawing of this size: then it hides nothing.
-    pub(super) fn is_label(&self, span: f64) -> bool {
+    /// Whether it is a marker of ordinary size in a drawing of this size: then it hides nothing.
+    pub(super) fn is_small_marker(&self, span: f64) -> bool {
+        self.part == Part::Mark(Mark::Marker) && self.diameter() <= MARKER * span
+    }
+
+    /// Whether it is a text of ordinary size in a drawing of this size: then it hides nothing if it can be read.
+    pub(super) fn is_small_text(&self, span: f64) -> bool {
+        self.part == Part::Mark(Mark::Letters) && self.thickness() <= LETTERS * span
+    }
+
+    /// The height of letters; of anything else its diameter.
+    pub(super) fn thickness(&self) -> f64 {
         match (self.part, &self.shape) {
-            (Part::Mark(Mark::Letters), Shape::Area(area)) => area.thickness() <= LETTERS * span,
-            (Part::Mark(_), _) => {
-                let [low, high] = self.corners();
-                (high.x - low.x).hypot(high.y - low.y) <= MARKER * span
-            }
-            _ => false,
+            (Part::Mark(Mark::Letters), Shape::Area(area)) => area.thickness(),
+            _ => self.diameter(),
         }
+    }
+
+    /// The diameter of the box round it.
+    pub(super) fn diameter(&self) -> f64 {
+        let [low, high] = self.corners();
+        (high.x - low.x).hypot(high.y - low.y)
     }
 
     /// The corners of the box round it.
@@ -275,7 +301,8 @@ mod tests {
                 }
             }
             assert!(inside > 500);
-            assert!(quick.inner_points().iter().all(|&at| slow.covers(at).0));
+            assert!(quick.inner_points(&quick).iter().all(|&at| slow.covers(at).0));
+            assert_eq!(quick.inner_points(&slow), slow.inner_points(&slow));
         }
     }
 

@@ -21,7 +21,7 @@ pub(super) fn area(width: &str, height: &str) -> Option<f64> {
 pub(super) fn painted(node: Node<'_, '_>, ink: &Ink, own: &Own) -> [f64; 2] {
     let element = node.tag_name().name();
     let said = |name: &str| own.geometry.of(element, name).or_else(|| node.attribute(name));
-    let side = |name: &str| said(name).and_then(numbers::measure).unwrap_or(0.0).abs();
+    let side = |name: &str| said(name).and_then(numbers::measure).unwrap_or(0.0).max(0.0);
     let (filled, length) = match element {
         "rect" => (side("width") * side("height"), 2.0 * (side("width") + side("height"))),
         "circle" => (std::f64::consts::PI * side("r") * side("r"), std::f64::consts::TAU * side("r")),

@@ -8,7 +8,7 @@
 
 use super::colour::{Paint, paint};
 use super::error::{Fault, Problem, quoted};
-use super::numbers::{Reader, measure};
+use super::numbers::Reader;
 use crate::figure::canvas::untold::changes_looks;
 
 /// Values of properties that nobody has set, and whether they are handed down to children.
@@ -30,10 +30,11 @@ const INITIAL: [(&str, &str, bool); 13] = [
 
 /// What stands in a value and may be anything.
 const ANYTHING: [&str; 4] = ["var(", "env(", "attr(", "if("];
-/// Functions of numbers.
-const OF_NUMBERS: [&str; 8] = ["calc(", "min(", "max(", "clamp(", "abs(", "sign(", "round(", "mod("];
-/// Units that depend on letters, windows or sides.
-const UNITS: [&str; 14] = ["%", "em", "rem", "ex", "ch", "cap", "ic", "lh", "rlh", "vw", "vh", "vmin", "vmax", "vi"];
+/// Units that depend on letters, windows or sides. Some have a letter before them: `rem`, `svh`, `dvw`.
+const UNITS: [&str; 15] =
+    ["%", "em", "ex", "ch", "cap", "ic", "lh", "vw", "vh", "vmin", "vmax", "vi", "vb", "cqw", "cqh"];
+/// More dashes than this are not read: each line would be measured against all of them.
+const DASHES: usize = 256;
 /// Functions of colours.
 #[rustfmt::skip]
 const OF_COLOURS: [&str; 15] = [
@@ -74,10 +75,15 @@ pub(super) fn is_unread(key: &str, value: &str) -> bool {
         }
         "color-scheme" => value.contains("dark") && !value.contains("light"),
         "display" => has(&ANYTHING) || value == "contents",
-        "opacity" | "fill-opacity" | "stroke-opacity" | "stop-opacity" => has(&ANYTHING) || has(&OF_NUMBERS),
+        "opacity" | "fill-opacity" | "stroke-opacity" | "stop-opacity" => value.contains('('),
         "stroke-width" | "stroke-dasharray" | "stroke-dashoffset" => {
-            has(&ANYTHING) || has(&OF_NUMBERS) || value.split([',', ' ']).any(depends)
+            let parts = || value.split([',', ' ']);
+            value.contains('(') || parts().any(depends) || parts().count() > DASHES
         }
+        // A part of the size around is worked out.
+        "font-size" => value.contains('(') || !has(&["em", "%"]) && depends(&value),
+        // Names of families may hold brackets in quotes.
+        "font" => value.split(['"', '\'']).next().is_some_and(|size| size.contains('(')),
         _ => changes_looks(key) && has(&ANYTHING),
     }
 }
@@ -86,6 +92,7 @@ pub(super) fn is_unread(key: &str, value: &str) -> bool {
 pub(super) fn unworked(offset: usize, key: &str, value: &str) -> Fault {
     let such = match key {
         "display" => "none or inline",
+        "font-size" | "font" => "12px",
         "stroke-width" | "stroke-dasharray" | "stroke-dashoffset" => "a number of px",
         "opacity" | "fill-opacity" | "stroke-opacity" | "stop-opacity" => "0.5",
         "fill" | "stroke" | "color" | "stop-color" | "background" | "background-color" => "black or #aabbcc",
@@ -109,7 +116,10 @@ fn is_unread_colour(value: &str) -> bool {
 /// Whether a length depends on letters, windows or sides.
 fn depends(text: &str) -> bool {
     let mut reader = Reader::new(text);
-    measure(text).is_none() && reader.number().is_some() && UNITS.contains(&reader.rest())
+    let is_number = reader.number().is_some();
+    let unit = reader.rest();
+    is_number
+        && (UNITS.contains(&unit) || unit.strip_prefix(['r', 's', 'l', 'd']).is_some_and(|unit| UNITS.contains(&unit)))
 }
 
 #[cfg(test)]

@@ -15,6 +15,9 @@ fn equal_is_0_different_is_1_unreadable_is_2() {
     std::fs::write(folder.path("zip.svg"), [0x1f, 0x8b, 8, 0]).expect("a file");
     assert_eq!(folder.dcel("compare right.svg right.svg").fine(), "equal (same bytes)\n");
     assert_eq!(folder.dcel("compare right.svg same.svg").fine(), "equal (same drawn geometry)\n");
+    folder.write("marked.svg", &format!("\u{feff}{LINE}"));
+    assert_eq!(folder.dcel("compare right.svg marked.svg").fine(), "equal (same drawn geometry)\n");
+    assert_eq!(folder.dcel("compare marked.svg marked.svg").fine(), "equal (same bytes)\n");
     let told = folder.dcel_with(&LINE.replace("H90V60H0Z", "H90V60H0"), "compare right.svg -");
     let said = "differs in its drawn geometry: 1 difference, 4 of 5 edges agree\n   \
                 1. edge between (0, 0) and (0, 60) is missing\n";

@@ -24,7 +24,9 @@ pub(super) fn run(args: &Args, target: Option<&Target>, out: &mut Output) -> Res
     };
     let [reference, student] = files.map(|(_, file)| read(file));
     let (reference, student) = (reference?, student?);
-    let text = |bytes, side| compare::text(bytes, side).map_err(|error| refused(&error));
+    // With its byte order mark: files of other bytes are not told to have the same.
+    let whole = |bytes, text| std::str::from_utf8(bytes).unwrap_or(text);
+    let text = |bytes, side| compare::text(bytes, side).map(|text| whole(bytes, text)).map_err(|error| refused(&error));
     let options = Options::new()
         .names(args.names)
         .faces(!args.drawn.no_faces)

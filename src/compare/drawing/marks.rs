@@ -3,9 +3,9 @@
 //!
 //! ```text
 //!   ────▸        a marker is drawn as it is, at each place of the path where it stands
-//!   ┌──────┐     a text is taken for a box: 0.6 em for each letter, in the colour of the letters
-//!   │ text │
-//!   └──────┘     eye.rs looks at large ones only: labels and arrow heads of ordinary size hide nothing
+//!   ┌──────┐     a text is taken for a box: 0.6 em for each letter, in the colour of the letters, or of their rim if
+//!   │ text │     that covers them; labels and arrow heads of ordinary size hide nothing, but letters that nobody can
+//!   └──────┘     read: eye.rs
 //! ```
 
 use super::{Around, Reader, corners, place};
@@ -18,6 +18,7 @@ use crate::compare::painting::{Area, Mark, Part, Shape};
 use crate::compare::path::Subpath;
 use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
+use crate::compare::values::unworked;
 use crate::compare::viewport;
 use roxmltree::Node;
 
@@ -25,6 +26,8 @@ use roxmltree::Node;
 const LETTER: f64 = 0.6;
 const ABOVE: f64 = 0.8;
 const BELOW: f64 = 0.15;
+/// A rim covers its letters if it is as wide as this part of them: one over them, and one below them.
+const WIDE: [f64; 2] = [0.25, 1.0];
 /// Markers that are drawn, at most.
 const MARKERS: usize = 50_000;
 
@@ -201,8 +204,12 @@ impl<'a, 'i> Reader<'a, 'i> {
         if !ink.fills() && !has_rim {
             return Ok(());
         }
+        if let Some((key, value)) = ink.letters.unread.as_deref() {
+            return Err(unworked(offset, key, value));
+        }
         let rim = if has_rim { 0.5 * ink.width() } else { 0.0 };
-        let (size, width) = (ink.letters, LETTER * ink.letters * count as f64);
+        let size = ink.letters.size;
+        let width = LETTER * size * count as f64;
         let left = x - ink.anchor * width;
         let room = [left - rim, y - ABOVE * size - rim, width + 2.0 * rim, (ABOVE + BELOW) * size + 2.0 * rim];
         let mut ring = Vec::with_capacity(4);
@@ -213,7 +220,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         let paint = if around.coloured {
             (Paint::Some, 1.0)
-        } else if ink.fills() {
+        } else if ink.fills() && !(has_rim && ink.width() >= WIDE[usize::from(ink.rim_below)] * size) {
             ink.fill()
         } else {
             ink.stroke()

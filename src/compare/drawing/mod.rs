@@ -13,6 +13,7 @@
 //! ```text
 //!   clips.rs   Clip paths
 //!   foreign.rs What stands in a foreignObject
+//!   lengths.rs Lengths of elements, by style and by attribute
 //!   marks.rs   Markers and letters
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
@@ -21,6 +22,7 @@
 
 mod clips;
 mod foreign;
+mod lengths;
 mod marks;
 mod root;
 mod shapes;
@@ -36,10 +38,11 @@ use super::tags::{size, tag};
 use super::transform::Transform;
 use super::values::unworked;
 use super::viewport::{self, Room};
-use super::{animations, declared, numbers};
+use super::{animations, declared};
 use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
 use crate::figure::canvas::untold::{Untold, untold, untold_with};
 use crate::plane::Point;
+use lengths::{length, set_length};
 use roxmltree::{Document, Node};
 use std::borrow::Cow;
 use std::cell::OnceCell;
@@ -565,39 +568,6 @@ fn has_its_conditions(node: Node<'_, '_>) -> bool {
     let is_english = |language: &str| language.trim().get(..2).is_some_and(|start| start.eq_ignore_ascii_case("en"));
     let language = node.attribute("systemLanguage").is_none_or(|list| list.split(',').any(is_english));
     language && node.attribute("requiredExtensions").is_none_or(|list| list.trim().is_empty())
-}
-
-/// A length with its unit, or in percent of the room, of which `axis` 0 is the width, 1 the height and 2 both; 0 if
-/// it is missing. A style says it before the attribute does: `around` has the element's own style.
-pub(in crate::compare) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Around) -> Result<f64, Fault> {
-    set_length(node, name, axis, around).map(Option::unwrap_or_default)
-}
-
-/// The same; `None` if it is missing or `auto`.
-pub(in crate::compare) fn set_length(
-    node: Node<'_, '_>,
-    name: &str,
-    axis: usize,
-    around: &Around,
-) -> Result<Option<f64>, Fault> {
-    let attribute = node.attribute_node(name).map(|attribute| (attribute.value(), attribute.range().start));
-    let style = around.own.geometry.of(node.tag_name().name(), name).map(|text| (text, node.range().start));
-    let Some((text, offset)) = style.or(attribute).filter(|(text, _)| *text != "auto") else { return Ok(None) };
-    measured(text, axis, around, offset).map(Some)
-}
-
-/// The length that a text says, in the room.
-fn measured(written: &str, axis: usize, around: &Around, offset: usize) -> Result<f64, Fault> {
-    let text = written.trim();
-    let part = |percent: &str| {
-        let part = numbers::length(percent)? / 100.0;
-        // Without a size, the canvas is as large as the window.
-        let [.., width, height] = around.room.unwrap_or([0.0, 0.0, FAR / 10.0, FAR / 10.0]);
-        Some(part * [width, height, ((width * width + height * height) / 2.0).sqrt()][axis])
-    };
-    let value = text.strip_suffix('%').map_or_else(|| numbers::measure(text), part);
-    let wanted = "number: write px without a unit, such as 12.5";
-    value.ok_or_else(|| word(offset, written, wanted))
 }
 
 pub(in crate::compare) fn word(offset: usize, text: &str, wanted: &'static str) -> Fault {

@@ -14,6 +14,7 @@ use crate::compare::numbers;
 use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
 use crate::compare::viewport::{self, Room};
+use crate::figure::canvas::blocks::{is_met, outside};
 use crate::figure::canvas::selectors::Rule;
 use roxmltree::{Document, Node};
 
@@ -23,20 +24,51 @@ const XHTML: &str = "http://www.w3.org/1999/xhtml";
 /// Px of a window.
 const WINDOW: f64 = 1200.0;
 
+/// The rules of all style sheets that a screen may show, one behind the other, each within its `media` if it cannot be
+/// told whether a screen meets it.
+///
+/// # Errors
+/// [`Problem::StyleSheet`] if one is not in the file; [`Problem::TooLarge`].
 pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
     if let Some(node) = document.root().descendants().find(is_from_outside) {
         let what = if node.is_pi() { "<?xml-stylesheet?>" } else { "<link>" };
         return Err(Fault::at(node.range().start, Problem::StyleSheet { what }));
     }
-    let mut css = String::new();
+    let (mut css, mut size) = (String::new(), 0);
     for node in document.descendants().filter(|n| n.tag_name().name() == "style") {
-        node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| css.push_str(text));
-        if css.len() > CSS {
+        let mut sheet = String::new();
+        node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| sheet.push_str(text));
+        size += sheet.len();
+        if size > CSS {
             let problem = Problem::TooLarge { what: "bytes of style sheets", limit: CSS };
             return Err(Fault::at(node.range().start, problem));
         }
+        let media = node.attribute("media").unwrap_or("");
+        match is_met(media) {
+            Some(false) => continue,
+            Some(true) => sheet = closed(&bare(&sheet)),
+            None => sheet = format!("@media {}{{{}}}", bare(media.trim()), closed(&bare(&sheet))),
+        }
+        if imports_data(&sheet) {
+            return Err(Fault::at(node.range().start, Problem::StyleSheet { what: "@import of data" }));
+        }
+        css.push_str(&sheet);
     }
-    Ok(bare(&css))
+    Ok(css)
+}
+
+/// Whether a style sheet brings in one that stands in the address itself; others are not there.
+fn imports_data(sheet: &str) -> bool {
+    let sheet = sheet.to_ascii_lowercase();
+    let ends = |text: &str| outside(text).find(|(_, c)| matches!(c, ';' | '{')).map_or(text.len(), |(i, _)| i);
+    sheet.match_indices("@import").any(|(i, _)| sheet[i..i + ends(&sheet[i..])].contains("data:"))
+}
+
+/// A style sheet that ends whatever is open at its end.
+fn closed(sheet: &str) -> String {
+    let count = |mark: char| outside(sheet).filter(|(_, c)| *c == mark).count();
+    let open = count('{').saturating_sub(count('}'));
+    format!("{sheet}\n{}", "}".repeat(open))
 }
 
 /// Whether a node brings in a style sheet from outside: an instruction, or a link of XHTML.

@@ -22,6 +22,8 @@ use roxmltree::Node;
 const ROUND: f64 = 0.03;
 /// Of a line of fewer px than this, a screen shows less than a tenth of the ink.
 const THIN: f64 = 0.099;
+/// Gaps of dashes up to so many px are usual.
+const GAP: f64 = 24.0;
 /// A line is one of no length if it is no longer than this part of half its width.
 const TINY: f64 = 0.1;
 /// Pieces of curves that make a circle, at least.
@@ -152,10 +154,11 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         let back = closed.then_some((first, false));
         let growth = around.transform.growth().max(f64::MIN_POSITIVE);
+        let usual = GAP / (self.unit * growth);
         let (mut from, mut far, mut curves) = (first, 0.0, false);
         for (to, curved) in points.iter().skip(1).copied().chain(back) {
             let long = distance(from, to) / growth;
-            let dashed = hidden.is_none() && ink.dashed_away(far, long);
+            let dashed = hidden.is_none() && (ink.dashed_away(far, long) || ink.has_gap(far, long, usual));
             let why = hidden.or_else(|| dashed.then_some(Hidden::Dashes));
             if from != to && why.is_none() {
                 let part = around.part(if curved { Part::Other } else { Part::Line });
@@ -247,7 +250,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 [axes[1].y / determinant, -axes[1].x / determinant, -axes[0].y / determinant, axes[0].x / determinant];
             self.discs(Disc { centre: at, inverse, from: 0.0, to: 1.0, reach }, radius, around);
         } else {
-            hidden = hidden.or(Some(Hidden::NoWidth));
+            hidden = hidden.or(Some(Hidden::NoSize));
         }
         if !around.decorates {
             let vertex = node.parent().and_then(declared::vertex);

@@ -16,7 +16,7 @@
 
 mod advances;
 pub(crate) mod arc;
-mod blocks;
+pub(crate) mod blocks;
 pub(crate) mod crop;
 pub(crate) mod number;
 #[cfg(feature = "png")]

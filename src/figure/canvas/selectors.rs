@@ -282,7 +282,7 @@ fn add<'a>(css: &'a str, on_screen: bool, out: &mut Vec<Rule<'a>>, depth: usize)
                 add(rules, on_screen, out, depth + 1);
             }
             Block::Rule { selectors, body } => {
-                let properties = body.split(';').filter_map(|p| p.split_once(':'));
+                let properties = parts(body, ';').filter_map(|p| p.split_once(':'));
                 let properties: Rc<[_]> = properties.map(|(key, value)| (key.trim(), value.trim())).collect();
                 for selector in parts(selectors, ',') {
                     out.extend(steps(selector).map(|steps| Rule { steps, properties: Rc::clone(&properties) }));

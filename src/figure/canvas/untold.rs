@@ -4,7 +4,7 @@
 //!   line:nth-child(2){stroke:none}    hides something, and who knows what      :hover{fill:red}    nobody points
 //! ```
 
-use super::blocks::{Block, blocks, parts};
+use super::blocks::{Block, blocks, outside, parts};
 use super::selectors::{OF_READERS, steps};
 
 /// What a style sheet says and what cannot be told: the selector of a rule, or the name of an at-rule.
@@ -63,7 +63,7 @@ pub(crate) fn untold_with<'a>(css: &'a str, further: &[&str]) -> Option<Untold<'
             let is_harmless = ["@font-", "@page", "@property", "@counter"].iter().any(|start| name.starts_with(start));
             (!is_harmless && declares(body, &changes)).then_some(Untold::Changes(name))
         }
-        Block::Rule { selectors, body } if body.contains('{') => {
+        Block::Rule { selectors, body } if outside(body).any(|(_, c)| c == '{') => {
             declares(body, &changes).then_some(Untold::Changes(selectors))
         }
         Block::Rule { selectors, body } => {
@@ -84,7 +84,9 @@ fn is_unknown(selector: &str) -> bool {
 
 /// Whether one of the declarations of a block, or of the blocks in it, is such a one.
 fn declares(body: &str, is: &dyn Fn(&str) -> bool) -> bool {
-    body.split(['{', '}', ';']).any(is)
+    let mut start = 0;
+    let mut ends = outside(body).filter(|(_, c)| matches!(c, '{' | '}' | ';')).map(|(i, _)| i);
+    ends.any(|end| is(&body[std::mem::replace(&mut start, end + 1)..end])) || is(&body[start..])
 }
 
 /// Whether a declaration changes what is seen, whatever it is said of.
