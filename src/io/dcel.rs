@@ -59,7 +59,7 @@ use super::room::too_little;
 use super::text::{Scanner, Syntax, Word};
 use crate::ids::{FaceId, HalfEdgeId, Id, ParseIdError, VertexId};
 use crate::old_words::{Language, OldWord};
-use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, TableColumns, VertexRow, View};
 use std::str::FromStr;
 
 const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: true, separators: false };
@@ -69,9 +69,9 @@ const SPARE: usize = 1_000_000;
 const HALF_EDGE_WORDS: [&str; 5] = ["origin", "twin", "next", "prev", "face"];
 const FACE_WORDS: [&str; 5] = ["half_edge", "inner", "outer", "hole", "name"];
 
-/// The tables while they are read, with the line of each record.
+/// The table while it is read, with the line of each record.
 struct Reader<'a> {
-    table: Table,
+    table: TableColumns,
     lines: [Vec<u32>; 3],
     outer_line: u32,
     limit: Limit,
@@ -100,10 +100,10 @@ impl From<ReadError> for Stop {
     }
 }
 
-/// Reads the kit's text. O(length).
-pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
+/// Reads the kit's text, into columns or into a table. O(length).
+pub(super) fn read(blocks: &mut Blocks<'_>, columns: bool) -> Result<Read, ReadError> {
     let mut reader = Reader {
-        table: Table::default(),
+        table: TableColumns::default(),
         lines: Default::default(),
         outer_line: 0,
         limit: Limit { greatest: 0, is_final: false },
@@ -133,7 +133,14 @@ pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
         }
     }
     let notes = reader.old_words.iter().map(ToString::to_string).collect();
-    Ok(Read { document: Document::Table(reader.table), notes, format: Format::Dcel })
+    drop(reader.lines);
+    let document = if columns {
+        Document::Columns(reader.table)
+    } else {
+        let bytes = reader.table.half_edge_bound() * size_of::<Option<HalfEdgeRow>>();
+        Document::Table(reader.table.try_into_table().map_err(|_| too_little(bytes, blocks.source()))?)
+    };
+    Ok(Read { document, notes, format: Format::Dcel })
 }
 
 /// Reads the first line. Returns whether it was in this block.
@@ -191,7 +198,8 @@ impl Reader<'_> {
             }
             row.outgoing = pointer(scanner)?;
         }
-        Ok(put(&mut self.table.vertices, id.index(), Some(row), self.source)?)
+        let set = self.table.set_vertex(id, row);
+        Ok(set.map_err(|_| self.too_little())?)
     }
 
     fn half_edge(&mut self, scanner: &mut Scanner<'_>, word: Word<'_>) -> Result<(), Stop> {
@@ -217,7 +225,8 @@ impl Reader<'_> {
                 _ => row.face = pointer(scanner)?,
             }
         }
-        Ok(put(&mut self.table.half_edges, id.index(), Some(row), self.source)?)
+        let set = self.table.set_half_edge(id, row);
+        Ok(set.map_err(|_| self.too_little())?)
     }
 
     fn face(&mut self, scanner: &mut Scanner<'_>, word: Word<'_>) -> Result<(), Stop> {
@@ -241,7 +250,16 @@ impl Reader<'_> {
                 _ => self.outer(scanner, id, word)?,
             }
         }
-        Ok(put(&mut self.table.faces, id.index(), Some(row), self.source)?)
+        let set = self.table.set_face(id, row);
+        Ok(set.map_err(|_| self.too_little())?)
+    }
+
+    /// The error that the table cannot grow.
+    #[cold]
+    fn too_little(&self) -> ReadError {
+        let table = &self.table;
+        let rows = 20 * table.half_edge_bound() + 20 * table.vertex_bound() + 4 * table.face_bound();
+        too_little(2 * rows, self.source)
     }
 
     /// What is written today for an old word, which is noted, once.

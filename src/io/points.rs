@@ -17,8 +17,9 @@ use super::room::{reserved, too_little};
 use super::soup::SoupBuilder;
 use super::text::{Announced, Scanner, Syntax, note_of_the_end};
 use super::triangle;
-use crate::ids::MAX_IDS;
+use crate::ids::{MAX_IDS, VertexId};
 use crate::plane::Point;
+use crate::topology::View;
 use std::path::Path;
 
 /// Points as a file gives them, in its order.
@@ -106,6 +107,10 @@ fn points_of(read: Read, source: String) -> PointList {
             PointList { points, lines, source, notes }
         }
         Document::Segments(soup) => PointList { points: soup.points, lines: soup.point_lines, source, notes },
+        Document::Columns(table) => {
+            let positions = (0..table.vertex_bound() as u32).filter_map(|v| table.position(VertexId::new(v)));
+            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
+        }
         Document::Table(table) => {
             let positions = table.vertices.iter().filter_map(|row| row.as_ref()?.position);
             PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }

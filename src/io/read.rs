@@ -63,7 +63,7 @@ pub(super) fn read_blocks(blocks: &mut Blocks<'_>, format: Format, options: &Rea
         Format::Obj => obj::read(blocks),
         Format::Off => off::read(blocks),
         Format::Segments => segments::read(blocks),
-        _ => dcel::read(blocks),
+        _ => dcel::read(blocks, options.columns),
     }?;
     read.notes.extend(blocks.note());
     Ok(turned(read, options))
@@ -255,6 +255,7 @@ fn turned(mut read: Read, options: &ReadOptions) -> Read {
             Document::Segments(soup) => {
                 soup.points.iter_mut().chain(&mut soup.hole_points).for_each(|p| p.y = 0.0 - p.y);
             }
+            Document::Columns(table) => table.positions_mut().for_each(|p| p[1] = 0.0 - p[1]),
             Document::Table(table) => {
                 let rows = table.vertices.iter_mut().flatten();
                 rows.filter_map(|row| row.position.as_mut()).for_each(|p| p[1] = 0.0 - p[1]);
