@@ -33,7 +33,7 @@ fn check(original: &Table, what: &str) -> Result<Subdivision, TableError> {
     assert_eq!(rest, if made.is_ok() { TableColumns::default() } else { columns.clone() }, "{what}: what is left");
     let bytes = |made: &Result<Subdivision, TableError>| made.as_ref().map_or(0, Subdivision::memory_bytes);
     assert_eq!(bytes(&made), bytes(&expected), "{what}: no more room than is used");
-    assert!(same_table(&columns.into_table(), &rows), "{what}");
+    assert!(same_table(&columns.clone().into_table(), &rows), "{what}");
     made
 }
 
