@@ -9,6 +9,7 @@
 //! the same line if CR and LF are in different pieces, and where `\` joins lines no block ends between them. A line that
 //! is longer than a block makes the block longer. A text that is in memory is one block.
 
+use super::block::Block;
 use super::problem::{ReadError, ReadProblem};
 use super::room::{reserved, too_little};
 use super::text::{LARGEST_FILE, check_start, check_text, note_of_the_last_line};
@@ -20,27 +21,6 @@ use std::sync::Arc;
 const PIECE: usize = 1 << 18;
 /// How much a reader may need for each byte of a block, beside lists that are as long as the text.
 const BYTES_PER_BYTE: usize = 8;
-
-/// Lines that follow each other.
-#[derive(Clone, Debug)]
-pub(super) struct Block<'a> {
-    /// The bytes.
-    pub(super) bytes: &'a [u8],
-    /// How many bytes of the text come before.
-    pub(super) base: usize,
-    /// The number of the first line, from 1.
-    pub(super) line: u32,
-    /// Whether the text ends here.
-    pub(super) is_last: bool,
-    /// How many bytes there are from the start of the block to the end of the text, if that is known; else those of the block.
-    pub(super) left: usize,
-    /// Whether there is more than this block, so that lists must ask for memory while they grow.
-    pub(super) is_part: bool,
-    /// What errors call the text.
-    pub(super) source: &'a str,
-    /// How far reading has come.
-    pub(super) stage: Arc<Stage>,
-}
 
 /// Something that can be read from the start again.
 pub(super) trait Rereadable: Read + Seek {}
@@ -508,7 +488,7 @@ mod tests {
                 assert_eq!(expected.starts_with("Ok"), beyond == 0);
                 for (piece, again) in [(1, true), (1, false), (9, true), (9, false), (1000, false)] {
                     let found = in_pieces(text.as_bytes(), Some(Format::Dcel), piece, again);
-                    assert!(found == expected, "{id} in pieces of {piece}: {:.200}", found);
+                    assert!(found == expected, "{id} in pieces of {piece}: {found:.200}");
                 }
             }
         }

@@ -9,7 +9,7 @@
 //! Words are slices of the file; nothing is copied. A place is a byte offset; only an error turns it into line
 //! and column, so that the way without errors pays nothing for them.
 
-use super::blocks::Block;
+use super::block::Block;
 use super::problem::{ReadError, ReadProblem};
 use super::room::for_text;
 use crate::plane::check_coordinate;

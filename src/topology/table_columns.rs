@@ -10,13 +10,16 @@ use super::links::Columns;
 use super::table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 use super::view::{InnerComponent, View, Words};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
-use std::collections::{BTreeMap, TryReserveError};
+use std::collections::BTreeMap;
+#[cfg(feature = "io")]
+use std::collections::TryReserveError;
 
 /// The word of a missing pointer.
 const NONE: u32 = Columns::NONE;
 /// The word of the first column where there is no row. Ids are smaller.
 const NO_ROW: u32 = NONE - 1;
 /// The coordinates of a vertex without a position: no coordinate is infinite.
+#[cfg(feature = "io")]
 const NOWHERE: [f64; 2] = [f64::INFINITY; 2];
 
 /// The same as a [`Table`], in less than half of its memory. It holds anything, right or wrong.
@@ -57,7 +60,7 @@ impl TableColumns {
         self.twin.is_empty() && origin.len().is_multiple_of(2) && [origin, outgoing, boundary].into_iter().all(is_full)
     }
 
-    /// x and y of a vertex, if it has a row with both.
+    /// x and y of a vertex; `None` if it does not exist or has no position.
     #[must_use]
     pub fn position(&self, v: VertexId) -> Option<[f64; 2]> {
         self.positions.get(v.index()).copied().filter(|[x, _]| x.is_finite())
@@ -86,7 +89,7 @@ impl TableColumns {
         self.positions.shrink_to_fit();
     }
 
-    /// The name of a face.
+    /// The name of a face; `None` if it does not exist or has no name.
     #[must_use]
     pub fn name(&self, f: FaceId) -> Option<&str> {
         self.details.get(&f.number())?.name.as_deref()
