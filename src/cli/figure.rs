@@ -204,7 +204,8 @@ fn dual(subject: &Subject, options: &FigureOptions) -> Result<Figure, Failure> {
     let drawn = match &subject.kind {
         subject::Kind::Plane(subdivision) => figure::dual(subdivision, options),
         subject::Kind::Table(table) => {
-            let subdivision = Subdivision::from_table(table).map_err(|error| refused(error.to_string()))?;
+            let subdivision =
+                Subdivision::from_columns(&mut table.clone()).map_err(|error| refused(error.to_string()))?;
             figure::dual(&subdivision, options)
         }
         subject::Kind::Surface(_) => return Err(refused("a surface in space has no drawing in the plane".to_owned())),

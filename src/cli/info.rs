@@ -59,9 +59,10 @@ impl Spread {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let subject = &args.input.open(&args.file)?;
+    let mut subject = args.input.open(&args.file)?;
+    let (valid, memory) = validity(&mut subject);
+    let subject = &subject;
     let (view, is_plane) = (subject.view(), subject.mode() == Mode::Plane);
-    let (valid, memory) = validity(subject);
     if !valid {
         super::failure::say("note", format!("{}: invariants are broken; `dcel validate` names them", subject.source));
     }
@@ -204,16 +205,21 @@ impl std::fmt::Display for Spread {
     }
 }
 
-/// Whether all invariants hold that are checked, and the bytes of the structure without positions.
-fn validity(subject: &Subject) -> (bool, Option<usize>) {
-    match &subject.kind {
+/// Whether all invariants hold that are checked, and the bytes of the structure without positions. A table that is a
+/// subdivision of the plane becomes one: it counts the same.
+fn validity(subject: &mut Subject) -> (bool, Option<usize>) {
+    match &mut subject.kind {
         Kind::Plane(subdivision) => (first_violation(subdivision).is_none(), Some(subdivision.memory_bytes())),
         Kind::Surface(polyhedron) => (first_violation(polyhedron).is_none(), Some(polyhedron.memory_bytes())),
-        Kind::Table(table) => match Subdivision::from_table(table) {
-            Ok(subdivision) => (true, Some(subdivision.memory_bytes())),
+        Kind::Table(table) => match (table.names_in_plane(), Subdivision::from_columns(table)) {
+            (names, Ok(subdivision)) => {
+                let bytes = subdivision.memory_bytes();
+                (subject.names, subject.kind) = (names, Kind::Plane(subdivision));
+                (true, Some(bytes))
+            }
             // The invariants of the structure hold; there is no plane, or nothing is known of its geometry.
-            Err(TableError::NoOuterFace | TableError::NoPosition { .. }) => (true, None),
-            Err(_) => (false, None),
+            (_, Err(TableError::NoOuterFace | TableError::NoPosition { .. })) => (true, None),
+            (_, Err(_)) => (false, None),
         },
     }
 }

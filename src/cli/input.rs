@@ -113,14 +113,15 @@ impl InputOptions {
 
     fn load(&self, file: &Path, keep_tables: bool, tell: &dyn Fn(&str)) -> Result<Opened, Failure> {
         let options = self.load_options();
-        let read = read_path(file, &options.read).map_err(|error| unread(file, error))?;
+        let columns = ReadOptions { columns: true, ..options.read.clone() };
+        let read = read_path(file, &columns).map_err(|error| unread(file, error))?;
         let source = source_name(file);
         self.refuse_useless(&read, &source)?;
         if self.full_check {
             say("note", "--full-check is not needed: planes are always fully checked, unless --trust is given");
         }
         let loaded = match read {
-            Read { document: Document::Table(table), notes, format } if keep_tables => {
+            Read { document: Document::Columns(table), notes, format } if keep_tables => {
                 notes.iter().for_each(|note| tell(note));
                 return Ok(Opened::Subject(Box::new(Subject::of_table(table, source, format))));
             }
@@ -154,7 +155,7 @@ impl InputOptions {
         let (polygons, plane) = match &read.document {
             Document::Polygons(soup) => (true, !self.surface && (self.plane || !soup.has_z)),
             Document::Segments(_) => (false, true),
-            Document::Table(_) => (false, false),
+            Document::Table(_) | Document::Columns(_) => (false, false),
         };
         let segments = matches!(read.document, Document::Segments(_));
         let json = matches!(format, Format::GeoJson | Format::TopoJson);
@@ -254,6 +255,7 @@ impl InputOptions {
             close_rings: self.mends(),
             object: self.object.clone(),
             outlines: false,
+            columns: false,
             format: self.format,
         };
         LoadOptions { read, orient: self.orient, mend: self.mends(), trust: self.trust, mode }

@@ -4,7 +4,7 @@ use super::Failure;
 use dcel_kit::io::{Covering, Format, Model, Places};
 use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
-use dcel_kit::topology::{Mode, Table, View};
+use dcel_kit::topology::{Mode, TableColumns, View};
 use dcel_kit::{FaceId, FaceMap, VertexId};
 
 /// A structure with its names.
@@ -25,12 +25,12 @@ pub(crate) enum Kind {
     Plane(Subdivision),
     Surface(Polyhedron),
     /// Any table, right or wrong, with the ids of its file.
-    Table(Table),
+    Table(TableColumns),
 }
 
 impl Subject {
     /// A table as it stands in its file.
-    pub(crate) fn of_table(table: Table, source: String, format: Format) -> Self {
+    pub(crate) fn of_table(table: TableColumns, source: String, format: Format) -> Self {
         let (names, covering, places) = (FaceMap::default(), None, None);
         Self { kind: Kind::Table(table), names, covering, trusted: false, source, format, places }
     }
@@ -88,7 +88,7 @@ impl Subject {
 
     pub(crate) fn name(&self, f: FaceId) -> Option<&str> {
         match &self.kind {
-            Kind::Table(table) => table.faces.get(f.index())?.as_ref()?.name.as_deref(),
+            Kind::Table(table) => table.name(f),
             _ => self.names.get(f)?.as_deref(),
         }
     }
@@ -112,7 +112,7 @@ impl Subject {
     pub(crate) fn model(&self) -> Model<'_> {
         match &self.kind {
             Kind::Plane(subdivision) => Model::planar(subdivision).with_names(|f| self.name(f)),
-            Kind::Table(table) => Model::table(table),
+            Kind::Table(table) => Model::planar(table).with_names(|f| table.name(f)),
             Kind::Surface(polyhedron) => {
                 let position = |v| polyhedron.has_vertex(v).then(|| polyhedron.point(v));
                 Model::surface(polyhedron, position, |f| polyhedron.is_boundary_face(f)).with_names(|f| self.name(f))

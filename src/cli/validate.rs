@@ -70,7 +70,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("--trust leaves out the check that validate makes", "leave --trust out"));
     }
     let report = match args.input.try_open(file, true)? {
-        Opened::Subject(subject) => Report::of(&subject),
+        Opened::Subject(mut subject) => Report::of(&mut subject),
         Opened::Misfit(error) => Report::misfit(source_name(file), &error),
     };
     tell(&report, args.json, out, |out| report.print(out))?;
@@ -78,18 +78,20 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 }
 
 impl Report {
-    fn of(subject: &Subject) -> Self {
+    /// The report of a subject, which is not to be used afterwards.
+    fn of(subject: &mut Subject) -> Self {
+        let (source, mode) = (subject.source.clone(), subject.mode());
+        let mode_name = subject.mode_name();
         let mut unchecked = Vec::new();
         let broken = violations(subject.view());
         let mut faults: Vec<Fault> = broken.iter().map(Fault::of_law).collect();
         if faults.is_empty() {
             let geometry = geometry(subject, &mut unchecked);
             faults = geometry.iter().map(|violation| Fault::of_geometry(violation, subject)).collect();
-        } else if subject.mode() == Mode::Plane {
+        } else if mode == Mode::Plane {
             unchecked.push("the invariants of the plane: first those of the structure must hold".to_owned());
         }
-        let (source, mode) = (subject.source.clone(), Some(subject.mode_name()));
-        Self { source, mode, valid: faults.is_empty(), violations: faults, unchecked }
+        Self { source, mode: Some(mode_name), valid: faults.is_empty(), violations: faults, unchecked }
     }
 
     fn misfit(source: String, error: &LoadError) -> Self {
@@ -121,11 +123,11 @@ impl Report {
 }
 
 /// Violations of the invariants of the plane, where there is one.
-fn geometry(subject: &Subject, unchecked: &mut Vec<String>) -> Vec<GeometryViolation> {
-    match &subject.kind {
+fn geometry(subject: &mut Subject, unchecked: &mut Vec<String>) -> Vec<GeometryViolation> {
+    match &mut subject.kind {
         Kind::Plane(subdivision) => subdivision.geometry_violations(),
         Kind::Surface(_) => Vec::new(),
-        Kind::Table(table) => match Subdivision::from_table(table) {
+        Kind::Table(table) => match Subdivision::from_columns(table) {
             Ok(_) => Vec::new(),
             Err(TableError::Geometry { violations }) => violations,
             Err(TableError::NoOuterFace) => {

@@ -50,64 +50,104 @@
 //! many digits as bring back the same number. Reading gives the same table; writing that table gives the same
 //! bytes. Ids after the last existing one are forgotten.
 
+use super::blocks::Blocks;
 use super::closest;
 use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
+use super::room::too_little;
 use super::text::{Scanner, Syntax, Word};
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId, Id, ParseIdError, VertexId};
 use crate::old_words::{Language, OldWord};
-use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, TableColumns, VertexRow, View};
 use std::str::FromStr;
 
-const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: true };
+const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: true, separators: false };
 /// Ids may exceed the number of lines by this much.
 const SPARE: usize = 1_000_000;
 
 const HALF_EDGE_WORDS: [&str; 5] = ["origin", "twin", "next", "prev", "face"];
 const FACE_WORDS: [&str; 5] = ["half_edge", "inner", "outer", "hole", "name"];
 
-/// The tables while they are read, with the line of each record.
+/// The table while it is read, with the line of each record.
 struct Reader<'a> {
-    scanner: Scanner<'a>,
-    table: Table,
+    table: TableColumns,
     lines: [Vec<u32>; 3],
     outer_line: u32,
-    limit: usize,
+    limit: Limit,
     old_words: Vec<&'static OldWord>,
+    source: &'a str,
 }
 
-/// Reads the kit's text. O(length).
-pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
-    let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
-    header(&mut scanner)?;
-    let lines = bytes.iter().filter(|&&b| b == b'\n' || b == b'\r').count();
+/// How large ids may be.
+struct Limit {
+    greatest: usize,
+    /// Whether all lines were counted for it; else only those up to the end of the block.
+    is_final: bool,
+}
+
+/// Why reading stops before the end of a block.
+enum Stop {
+    /// Something is wrong.
+    Error(ReadError),
+    /// Whether an id is too large is known when all lines are counted: here the record starts.
+    Count { at: usize, line: u32 },
+}
+
+impl From<ReadError> for Stop {
+    fn from(error: ReadError) -> Self {
+        Self::Error(error)
+    }
+}
+
+/// Reads the kit's text, into columns or into a table. O(length).
+pub(super) fn read(blocks: &mut Blocks<'_>, columns: bool) -> Result<Read, ReadError> {
     let mut reader = Reader {
-        scanner,
-        table: Table::default(),
+        table: TableColumns::default(),
         lines: Default::default(),
         outer_line: 0,
-        limit: lines + SPARE,
+        limit: Limit { greatest: 0, is_final: false },
         old_words: Vec::new(),
+        source: blocks.source(),
     };
-    while let Some(word) = reader.scanner.word_anywhere() {
-        match word.text.first() {
-            Some(b'v') => reader.vertex(word)?,
-            Some(b'h') => reader.half_edge(word)?,
-            Some(b'f') => reader.face(word)?,
-            _ => {
-                let help = "a line starts with the name of an element: v3, h7 or f0";
-                return Err(reader.unknown(word, help.to_owned()));
-            }
+    let mut has_header = false;
+    while let Some(block) = blocks.next()? {
+        let is_last = block.is_last;
+        let mut scanner = Scanner::of_block(block, SYNTAX);
+        if !has_header {
+            has_header = header(&mut scanner, is_last)?;
         }
-        reader.scanner.end_of_line("one record a line")?;
+        let (mut at, mut line) = (scanner.at(), scanner.line());
+        if !reader.limit.is_final {
+            reader.limit = Limit { greatest: blocks.line_ends_so_far() + SPARE, is_final: is_last };
+        }
+        loop {
+            let mut scanner = Scanner::of_block(blocks.same(), SYNTAX);
+            scanner.go_to(at, line);
+            match reader.records(&mut scanner) {
+                Ok(()) => break,
+                Err(Stop::Error(error)) => return Err(error),
+                Err(Stop::Count { at: here, line: there }) => (at, line) = (here, there),
+            }
+            reader.limit = Limit { greatest: blocks.line_ends()? + SPARE, is_final: true };
+        }
     }
     let notes = reader.old_words.iter().map(ToString::to_string).collect();
-    Ok(Read { document: Document::Table(reader.table), notes, format: Format::Dcel })
+    drop(reader.lines);
+    let document = if columns {
+        Document::Columns(reader.table)
+    } else {
+        let bytes = reader.table.half_edge_bound() * size_of::<Option<HalfEdgeRow>>();
+        Document::Table(reader.table.try_into_table().map_err(|_| too_little(bytes, blocks.source()))?)
+    };
+    Ok(Read { document, notes, format: Format::Dcel })
 }
 
-fn header(scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
-    let word = scanner.need_anywhere(|| "the line `dcel 1`".to_owned())?;
+/// Reads the first line. Returns whether it was in this block.
+fn header(scanner: &mut Scanner<'_>, is_last: bool) -> Result<bool, ReadError> {
+    let Some(word) = scanner.word_anywhere() else {
+        return if is_last { Err(scanner.missing("the line `dcel 1`".to_owned())) } else { Ok(false) };
+    };
     if word.text != b"dcel" {
         return Err(scanner.expected(word, "the line `dcel 1`", "the first line names the format and its version"));
     }
@@ -115,202 +155,266 @@ fn header(scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
     if word.text != b"1" {
         return Err(scanner.expected(word, "version 1", "this kit reads version 1"));
     }
-    scanner.end_of_line("the records start on the next line")
+    scanner.end_of_line("the records start on the next line")?;
+    Ok(true)
 }
 
-impl<'a> Reader<'a> {
-    fn vertex(&mut self, word: Word<'a>) -> Result<(), ReadError> {
-        let id: VertexId = self.id(word)?;
-        self.check_new(word, id.index(), 0)?;
+impl Reader<'_> {
+    /// Reads the records of a block.
+    fn records(&mut self, scanner: &mut Scanner<'_>) -> Result<(), Stop> {
+        while let Some(word) = scanner.word_anywhere() {
+            match word.text.first() {
+                Some(b'v') => self.vertex(scanner, word)?,
+                Some(b'h') => self.half_edge(scanner, word)?,
+                Some(b'f') => self.face(scanner, word)?,
+                _ => {
+                    let help = "a line starts with the name of an element: v3, h7 or f0";
+                    return Err(unknown(scanner, word, help.to_owned()).into());
+                }
+            }
+            scanner.end_of_line("one record a line")?;
+        }
+        Ok(())
+    }
+
+    fn vertex(&mut self, scanner: &mut Scanner<'_>, word: Word<'_>) -> Result<(), Stop> {
+        let id: VertexId = id(scanner, word)?;
+        self.check_new(scanner, word, id.index(), 0)?;
         let mut row = VertexRow::default();
-        let mut next = self.scanner.word();
+        let mut next = scanner.word();
         let looks_like_number = |word: &Word<'_>| {
-            let text = std::str::from_utf8(word.text).unwrap_or("");
-            !text.starts_with(|c: char| c.is_ascii_alphabetic()) || text.parse::<f64>().is_ok()
+            let is_letter = word.text.first().is_some_and(u8::is_ascii_alphabetic);
+            !is_letter || std::str::from_utf8(word.text).is_ok_and(|text| text.parse::<f64>().is_ok())
         };
         if let Some(x) = next.filter(looks_like_number) {
-            let x = self.scanner.coordinate('x', x)?;
-            let y = self.scanner.need(|| format!("the y of {id}"))?;
-            row.position = Some([x, self.scanner.coordinate('y', y)?]);
-            next = self.scanner.word();
+            let x = scanner.coordinate('x', x)?;
+            let y = scanner.need(|| format!("the y of {id}"))?;
+            row.position = Some([x, scanner.coordinate('y', y)?]);
+            next = scanner.word();
         }
         if let Some(word) = next {
             if word.text != b"out" {
-                return Err(self.unknown_word(word, &["out"]));
+                return Err(unknown_word(scanner, word, &["out"]).into());
             }
-            row.outgoing = self.pointer()?;
+            row.outgoing = pointer(scanner)?;
         }
-        put(&mut self.table.vertices, id.index(), row);
-        Ok(())
+        let set = self.table.set_vertex(id, row);
+        Ok(set.map_err(|_| self.too_little())?)
     }
 
-    fn half_edge(&mut self, word: Word<'a>) -> Result<(), ReadError> {
-        let id: HalfEdgeId = self.id(word)?;
-        self.check_new(word, id.index(), 1)?;
+    fn half_edge(&mut self, scanner: &mut Scanner<'_>, word: Word<'_>) -> Result<(), Stop> {
+        let id: HalfEdgeId = id(scanner, word)?;
+        self.check_new(scanner, word, id.index(), 1)?;
         let mut row = HalfEdgeRow::default();
         let mut seen = 0;
-        while let Some(word) = self.scanner.word() {
-            self.once(word, &HALF_EDGE_WORDS, &mut seen)?;
-            match word.text {
-                b"origin" => row.origin = self.pointer()?,
-                b"twin" => row.twin = self.pointer()?,
-                b"next" => row.next = self.pointer()?,
-                b"prev" => row.prev = self.pointer()?,
-                _ => row.face = self.pointer()?,
+        while let Some(word) = scanner.word() {
+            let place = match word.text {
+                b"origin" => 0,
+                b"twin" => 1,
+                b"next" => 2,
+                b"prev" => 3,
+                b"face" => 4,
+                _ => return Err(unknown_word(scanner, word, &HALF_EDGE_WORDS).into()),
+            };
+            once(scanner, word, place, &mut seen)?;
+            match place {
+                0 => row.origin = pointer(scanner)?,
+                1 => row.twin = pointer(scanner)?,
+                2 => row.next = pointer(scanner)?,
+                3 => row.prev = pointer(scanner)?,
+                _ => row.face = pointer(scanner)?,
             }
         }
-        put(&mut self.table.half_edges, id.index(), row);
-        Ok(())
+        let set = self.table.set_half_edge(id, row);
+        Ok(set.map_err(|_| self.too_little())?)
     }
 
-    fn face(&mut self, word: Word<'a>) -> Result<(), ReadError> {
-        let id: FaceId = self.id(word)?;
-        self.check_new(word, id.index(), 2)?;
+    fn face(&mut self, scanner: &mut Scanner<'_>, word: Word<'_>) -> Result<(), Stop> {
+        let id: FaceId = id(scanner, word)?;
+        self.check_new(scanner, word, id.index(), 2)?;
         let mut row = FaceRow::default();
         let mut seen = 0;
-        while let Some(word) = self.scanner.word() {
-            let word = self.current(word);
-            self.once(word, &FACE_WORDS, &mut seen)?;
+        while let Some(word) = scanner.word() {
+            let mut place = FACE_WORDS.iter().position(|known| known.as_bytes() == word.text);
+            if place.is_none() {
+                place = self.old_word(word).and_then(|new| FACE_WORDS.iter().position(|known| *known == new));
+            }
+            let Some(place) = place else { return Err(unknown_word(scanner, word, &FACE_WORDS).into()) };
+            let word = Word { text: FACE_WORDS[place].as_bytes(), at: word.at };
+            once(scanner, word, place, &mut seen)?;
             match word.text {
-                b"half_edge" => row.half_edge = self.pointer()?,
-                b"inner" => row.inner_components = self.inner_components()?,
+                b"half_edge" => row.half_edge = pointer(scanner)?,
+                b"inner" => row.inner_components = inner_components(scanner)?,
                 b"hole" => row.hole = true,
-                b"name" => row.name = Some(self.name()?),
-                _ => self.outer(id, word)?,
+                b"name" => row.name = Some(name(scanner)?),
+                _ => self.outer(scanner, id, word)?,
             }
         }
-        put(&mut self.table.faces, id.index(), row);
-        Ok(())
+        let set = self.table.set_face(id, row);
+        Ok(set.map_err(|_| self.too_little())?)
     }
 
-    /// The word as it is written today; an old word is noted, once.
-    fn current(&mut self, word: Word<'a>) -> Word<'a> {
-        let text = std::str::from_utf8(word.text).unwrap_or_default();
-        let Some(old) = OldWord::find(Language::DcelFile, text) else { return word };
+    /// The error that the table cannot grow.
+    #[cold]
+    fn too_little(&self) -> ReadError {
+        let table = &self.table;
+        let rows = 20 * table.half_edge_bound() + 20 * table.vertex_bound() + 4 * table.face_bound();
+        too_little(2 * rows, self.source)
+    }
+
+    /// What is written today for an old word, which is noted, once.
+    fn old_word(&mut self, word: Word<'_>) -> Option<&'static str> {
+        let old = OldWord::find(Language::DcelFile, std::str::from_utf8(word.text).unwrap_or_default())?;
         if !self.old_words.contains(&old) {
             self.old_words.push(old);
         }
-        Word { text: old.new.as_bytes(), ..word }
+        Some(old.new)
     }
 
-    fn outer(&mut self, id: FaceId, word: Word<'_>) -> Result<(), ReadError> {
+    fn outer(&mut self, scanner: &Scanner<'_>, id: FaceId, word: Word<'_>) -> Result<(), ReadError> {
         if let Some(first) = self.table.outer_face {
             let what = format!("the outer face ({first})");
             let problem = ReadProblem::Duplicate { what, first_line: self.outer_line };
-            return Err(self.scanner.error(word.at, problem, "a subdivision has one unbounded face"));
+            return Err(scanner.error(word.at, problem, "a subdivision has one unbounded face"));
         }
         self.table.outer_face = Some(id);
-        self.outer_line = self.scanner.line();
+        self.outer_line = scanner.line();
         Ok(())
-    }
-
-    /// The half-edges and vertices behind `inner`, or `none`.
-    fn inner_components(&mut self) -> Result<Vec<InnerComponent>, ReadError> {
-        let mut inner = Vec::new();
-        let first = self.scanner.need(|| "half-edges or vertices after `inner`, or none".to_owned())?;
-        if first.text == b"none" {
-            return Ok(inner);
-        }
-        let mut at = Some(first);
-        while let Some(word) = at {
-            match word.text {
-                [b'h', b'0'..=b'9', ..] => inner.push(InnerComponent::Cycle(self.id(word)?)),
-                [b'v', b'0'..=b'9', ..] => inner.push(InnerComponent::Isolated(self.id(word)?)),
-                _ if inner.is_empty() => return Err(self.scanner.expected(word, "a half-edge or a vertex", "")),
-                _ => {
-                    self.scanner.go_back_to(word.at);
-                    break;
-                }
-            }
-            at = self.scanner.word();
-        }
-        Ok(inner)
-    }
-
-    fn name(&mut self) -> Result<String, ReadError> {
-        let word = self.scanner.need(|| "a text in quotes".to_owned())?;
-        let help = "write a name such as \"Ohio\"";
-        let text = std::str::from_utf8(word.text)
-            .map_err(|_| self.scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text"))?;
-        match text.strip_prefix('"') {
-            Some(inside) => unescape(inside).ok_or_else(|| {
-                let help = "close the text with a quote; in it, write \\\" \\\\ \\n \\r \\t and no other word with \\";
-                self.scanner.expected(word, "a text in quotes", help)
-            }),
-            None => Err(self.scanner.expected(word, "a text in quotes", help)),
-        }
-    }
-
-    /// The id behind a word such as `next`; nothing for `none`.
-    fn pointer<I: FromStr<Err = crate::ids::ParseIdError>>(&mut self) -> Result<Option<I>, ReadError> {
-        let word = self.scanner.need(|| "an id, or none".to_owned())?;
-        if word.text == b"none" { Ok(None) } else { self.id(word).map(Some) }
-    }
-
-    fn id<I: FromStr<Err = crate::ids::ParseIdError>>(&self, word: Word<'_>) -> Result<I, ReadError> {
-        let text = std::str::from_utf8(word.text)
-            .map_err(|_| self.scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text"))?;
-        text.parse().map_err(|error: crate::ids::ParseIdError| {
-            let problem = ReadProblem::UnknownWord { word: word.show() };
-            self.scanner.error(word.at, problem, error.to_string())
-        })
     }
 
     /// Refuses a second record of an element and an id that would blow up the table; notes the line.
-    fn check_new(&mut self, word: Word<'_>, index: usize, kind: usize) -> Result<(), ReadError> {
-        if index > self.limit {
+    fn check_new(&mut self, scanner: &Scanner<'_>, word: Word<'_>, index: usize, kind: usize) -> Result<(), Stop> {
+        let Limit { greatest, is_final } = self.limit;
+        if index > greatest && !is_final {
+            return Err(Stop::Count { at: word.at, line: scanner.line() });
+        }
+        if index > greatest {
             let what = ["vertices", "half-edges", "faces"][kind];
-            let problem = ReadProblem::SparseId { id: word.show(), what, limit: self.limit as u64 };
-            return Err(self.scanner.error(word.at, problem, "number the elements without large gaps"));
+            let problem = ReadProblem::SparseId { id: word.show(), what, limit: greatest as u64 };
+            return Err(scanner.error(word.at, problem, "number the elements without large gaps").into());
         }
-        let lines = &mut self.lines[kind];
-        if lines.len() <= index {
-            lines.resize(index + 1, 0);
-        }
-        let first_line = std::mem::replace(&mut lines[index], self.scanner.line());
+        let first_line = self.lines[kind].get(index).copied().unwrap_or(0);
+        put(&mut self.lines[kind], index, scanner.line(), self.source)?;
         if first_line != 0 {
             let problem = ReadProblem::Duplicate { what: word.show(), first_line };
-            return Err(self.scanner.error(word.at, problem, "give each element one line"));
+            return Err(scanner.error(word.at, problem, "give each element one line").into());
         }
         Ok(())
-    }
-
-    /// Accepts one of `words` that has not been seen in this line.
-    fn once(&self, word: Word<'_>, words: &[&str], seen: &mut u32) -> Result<(), ReadError> {
-        let Some(bit) = words.iter().position(|known| known.as_bytes() == word.text) else {
-            return Err(self.unknown_word(word, words));
-        };
-        if *seen & 1 << bit != 0 {
-            let problem =
-                ReadProblem::Duplicate { what: format!("`{}`", word.show()), first_line: self.scanner.line() };
-            return Err(self.scanner.error(word.at, problem, "give each word once in a record"));
-        }
-        *seen |= 1 << bit;
-        Ok(())
-    }
-
-    fn unknown_word(&self, word: Word<'_>, words: &[&str]) -> ReadError {
-        let list = words.join(", ");
-        let help = match closest(&word.show(), words.iter().copied()) {
-            Some(close) if words.len() > 1 => format!("did you mean `{close}`? The words here are {list}"),
-            _ => format!("the words here are {list}"),
-        };
-        self.unknown(word, help)
-    }
-
-    fn unknown(&self, word: Word<'_>, help: String) -> ReadError {
-        if std::str::from_utf8(word.text).is_err() {
-            return self.scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
-        }
-        self.scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help)
     }
 }
 
-fn put<T: Clone>(rows: &mut Vec<Option<T>>, index: usize, row: T) {
-    if rows.len() <= index {
-        rows.resize(index + 1, None);
+/// The half-edges and vertices behind `inner`, or `none`.
+fn inner_components(scanner: &mut Scanner<'_>) -> Result<Vec<InnerComponent>, ReadError> {
+    let mut inner = Vec::new();
+    let first = scanner.need(|| "half-edges or vertices after `inner`, or none".to_owned())?;
+    if first.text == b"none" {
+        return Ok(inner);
     }
-    rows[index] = Some(row);
+    let mut at = Some(first);
+    while let Some(word) = at {
+        match word.text {
+            [b'h', b'0'..=b'9', ..] => inner.push(InnerComponent::Cycle(id(scanner, word)?)),
+            [b'v', b'0'..=b'9', ..] => inner.push(InnerComponent::Isolated(id(scanner, word)?)),
+            _ if inner.is_empty() => return Err(scanner.expected(word, "a half-edge or a vertex", "")),
+            _ => {
+                scanner.go_back_to(word.at);
+                break;
+            }
+        }
+        at = scanner.word();
+    }
+    Ok(inner)
+}
+
+fn name(scanner: &mut Scanner<'_>) -> Result<String, ReadError> {
+    let word = scanner.need(|| "a text in quotes".to_owned())?;
+    let help = "write a name such as \"Ohio\"";
+    let text = std::str::from_utf8(word.text)
+        .map_err(|_| scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text"))?;
+    match text.strip_prefix('"') {
+        Some(inside) => unescape(inside).ok_or_else(|| {
+            let help = "close the text with a quote; in it, write \\\" \\\\ \\n \\r \\t and no other word with \\";
+            scanner.expected(word, "a text in quotes", help)
+        }),
+        None => Err(scanner.expected(word, "a text in quotes", help)),
+    }
+}
+
+/// The id behind a word such as `next`; nothing for `none`.
+#[inline]
+fn pointer<I: Id + FromStr<Err = ParseIdError>>(scanner: &mut Scanner<'_>) -> Result<Option<I>, ReadError> {
+    let word = scanner.need(|| "an id, or none".to_owned())?;
+    if word.text == b"none" { Ok(None) } else { id(scanner, word).map(Some) }
+}
+
+#[inline]
+fn id<I: Id + FromStr<Err = ParseIdError>>(scanner: &Scanner<'_>, word: Word<'_>) -> Result<I, ReadError> {
+    match short_number(word.text, I::LETTER) {
+        Some(number) => Ok(I::from_index(number)),
+        None => long_id(scanner, word),
+    }
+}
+
+/// An id with more digits than [`short_number`] takes, or what is wrong with it.
+#[cold]
+fn long_id<I: Id + FromStr<Err = ParseIdError>>(scanner: &Scanner<'_>, word: Word<'_>) -> Result<I, ReadError> {
+    let text = std::str::from_utf8(word.text)
+        .map_err(|_| scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text"))?;
+    text.parse().map_err(|error: ParseIdError| {
+        let problem = ReadProblem::UnknownWord { word: word.show() };
+        scanner.error(word.at, problem, error.to_string())
+    })
+}
+
+/// Accepts a word that has not been seen in this line; `place` is its number among those of the record.
+#[inline]
+fn once(scanner: &Scanner<'_>, word: Word<'_>, place: usize, seen: &mut u32) -> Result<(), ReadError> {
+    if *seen & 1 << place != 0 {
+        let problem = ReadProblem::Duplicate { what: format!("`{}`", word.show()), first_line: scanner.line() };
+        return Err(scanner.error(word.at, problem, "give each word once in a record"));
+    }
+    *seen |= 1 << place;
+    Ok(())
+}
+
+#[cold]
+fn unknown_word(scanner: &Scanner<'_>, word: Word<'_>, words: &[&str]) -> ReadError {
+    let list = words.join(", ");
+    let help = match closest(&word.show(), words.iter().copied()) {
+        Some(close) if words.len() > 1 => format!("did you mean `{close}`? The words here are {list}"),
+        _ => format!("the words here are {list}"),
+    };
+    unknown(scanner, word, help)
+}
+
+#[cold]
+fn unknown(scanner: &Scanner<'_>, word: Word<'_>, help: String) -> ReadError {
+    if std::str::from_utf8(word.text).is_err() {
+        return scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
+    }
+    scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help)
+}
+
+/// The number of at most nine digits behind the letter.
+#[inline]
+fn short_number(text: &[u8], letter: char) -> Option<usize> {
+    let [first, digits @ ..] = text else { return None };
+    if char::from(*first) != letter || !(1..10).contains(&digits.len()) || !digits.iter().all(u8::is_ascii_digit) {
+        return None;
+    }
+    Some(digits.iter().fold(0, |number, digit| 10 * number + usize::from(digit - b'0')))
+}
+
+/// Sets an item of a list, which becomes as long as that.
+#[inline]
+fn put<T: Clone + Default>(list: &mut Vec<T>, index: usize, item: T, source: &str) -> Result<(), ReadError> {
+    if list.len() <= index {
+        let more = index + 1 - list.len();
+        list.try_reserve(more).map_err(|_| too_little(2 * (index + 1) * size_of::<T>(), source))?;
+        list.resize(index + 1, T::default());
+    }
+    list[index] = item;
+    Ok(())
 }
 
 /// The text up to its closing quote; nothing if the quote is missing, something follows it, or an escape is

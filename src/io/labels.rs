@@ -9,6 +9,8 @@
 //!   f 4 5 6
 //! ```
 
+use super::problem::ReadError;
+use super::room::too_little;
 use std::collections::BTreeSet;
 
 /// Which names each face has, besides a name of its own.
@@ -19,9 +21,20 @@ pub struct Labels {
 }
 
 impl Labels {
+    /// Makes room for so many runs more.
+    ///
+    /// # Errors
+    /// If there is not so much memory.
+    pub(super) fn make_room(&mut self, runs: usize, source: &str) -> Result<(), ReadError> {
+        let bytes = (self.runs.len() + runs).saturating_mul(size_of::<(u32, Vec<String>)>());
+        self.runs.try_reserve(runs).map_err(|_| too_little(bytes, source))
+    }
+
     /// From face `first` on the names are these. Faces must come in order.
     pub(super) fn begin(&mut self, first: u32, names: Vec<String>) {
-        self.runs.retain(|&(start, _)| start < first);
+        while self.runs.last().is_some_and(|&(start, _)| start >= first) {
+            self.runs.pop();
+        }
         if self.runs.last().map_or(&[][..], |(_, last)| last) != names {
             self.runs.push((first, names));
         }

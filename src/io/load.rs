@@ -23,7 +23,7 @@ use super::words::counted;
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::{ConvertError, ConvertOptions, Converted, Point, Subdivision};
 use crate::solid::Polyhedron;
-use crate::topology::{BuildError, Mode, PolygonList};
+use crate::topology::{BuildError, Mode, PolygonList, View};
 use std::path::Path;
 
 /// What is told where there was nothing to mend.
@@ -83,7 +83,8 @@ pub struct Loaded {
 /// # Errors
 /// [`LoadError`] with the places of what does not fit.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
-    assemble(read_path(path, &options.read)?, &source_name(path), options)
+    let columns = ReadOptions { columns: true, ..options.read.clone() };
+    assemble(read_path(path, &columns)?, &source_name(path), options)
 }
 
 /// Makes a structure of what was read. `source_name` is what errors call the file of a table.
@@ -107,6 +108,7 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
         Document::Polygons(soup) => for_corners(soup.faces.corner_count(), source_name),
         Document::Segments(soup) => for_segments(soup.segments.len(), source_name),
         Document::Table(table) => for_half_edges(table.half_edges.len(), source_name),
+        Document::Columns(table) => for_half_edges(table.half_edge_bound(), source_name),
     }?;
     let Read { document, mut notes, format } = read;
     let soup = match document {
@@ -120,6 +122,13 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
+            return Ok(Loaded { structure, names, covering: None, notes, format, places: None });
+        }
+        Document::Columns(mut table) => {
+            let names = table.names_in_plane();
+            let structure = Subdivision::from_columns(&mut table)
+                .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;
+            let structure = Structure::Plane(structure);
             return Ok(Loaded { structure, names, covering: None, notes, format, places: None });
         }
         Document::Table(table) => {
@@ -171,7 +180,7 @@ fn plane(
     };
     let flat = || points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
     let converted = match triangles(&faces) {
-        Some(triangles) if !convert.insert_touching => Subdivision::convert_triangles(flat(), &triangles, &convert),
+        Some(triangles) if !convert.insert_touching => Subdivision::convert_triangles(flat(), triangles, &convert),
         _ => Subdivision::convert_polygons(flat(), &faces, &convert),
     };
     let Converted { mut subdivision, turned, unused_vertices, inserted } = match converted {
@@ -245,10 +254,10 @@ fn surface(
 }
 
 /// The faces as triangles, if they all are: the converter has less to look at then.
-fn triangles(faces: &PolygonList) -> Option<Vec<[u32; 3]>> {
+fn triangles(faces: &PolygonList) -> Option<&[[u32; 3]]> {
     let starts = faces.cycle_starts();
     let all = faces.has_no_holes() && starts.windows(2).all(|ends| ends[1] - ends[0] == 3);
-    all.then(|| faces.corners().chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect())
+    all.then(|| faces.corners().as_chunks().0)
 }
 
 fn note_unused(notes: &mut Vec<String>, unused: &[VertexId]) {

@@ -16,15 +16,16 @@
 //!
 //! Source: the OBJ chapter of the Advanced Visualizer manual, appendix B1 (Wavefront, 1993).
 
+use super::blocks::Blocks;
 use super::document::{Document, Read};
 use super::format::Format;
 use super::labels::Labels;
 use super::problem::{ReadError, ReadProblem};
 use super::soup::{PolygonSoup, SoupBuilder};
-use super::text::{Scanner, Syntax, Word, parse_integer};
+use super::text::{Scanner, Syntax, Word, no_such, parse_integer};
 use super::words::counted;
 
-const SYNTAX: Syntax = Syntax { comments: true, continuation: true, quotes: false };
+const SYNTAX: Syntax = Syntax { comments: true, continuation: true, quotes: false, separators: false };
 
 /// Statements of the format that say nothing about points and faces.
 const SKIPPED: [&[u8]; 36] = [
@@ -74,54 +75,81 @@ struct Forward<'a> {
     word: Option<Word<'a>>,
 }
 
+/// The first line with an unknown statement.
+struct Unknown {
+    /// What is said of it if the file has no points.
+    error: ReadError,
+    /// How many such lines there are.
+    count: usize,
+}
+
 /// Reads an OBJ file. O(length).
-pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
-    let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
+pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
+    let source = blocks.source();
     let mut soup = SoupBuilder::default();
     let mut corners = Vec::new();
-    let mut forward = Forward { index: 0, word: None };
-    let mut unknown: Option<(Word<'_>, usize)> = None;
+    let (mut greatest, mut greatest_at) = (0, None);
+    let mut unknown: Option<Unknown> = None;
     let mut gives_z = false;
     let (mut named, mut labels) = (Named::default(), Labels::default());
-    loop {
-        if let Some(statement) = scanner.word() {
-            match statement.text {
-                b"v" => point(&mut scanner, &mut soup, &mut gives_z)?,
-                b"f" | b"fo" => face(&mut scanner, &mut soup, &mut corners, &mut forward)?,
-                text if NAMED.contains(&text) => {
-                    let rest = String::from_utf8_lossy(scanner.rest_of_line());
-                    if named.take(text, &rest) {
-                        labels.begin(soup.faces.face_count() as u32, named.all());
+    while let Some(block) = blocks.joining().next()? {
+        if block.is_part {
+            soup.make_room(block.bytes.len(), source)?;
+            labels.make_room(block.bytes.len() / 2, source)?;
+        }
+        let mut scanner = Scanner::of_block(block, SYNTAX);
+        let mut forward = Forward { index: greatest, word: None };
+        loop {
+            if let Some(statement) = scanner.word() {
+                match statement.text {
+                    b"v" => point(&mut scanner, &mut soup, &mut gives_z)?,
+                    b"f" | b"fo" => face(&mut scanner, &mut soup, &mut corners, &mut forward)?,
+                    text if NAMED.contains(&text) => {
+                        let rest = String::from_utf8_lossy(scanner.rest_of_line());
+                        if named.take(text, &rest) {
+                            labels.begin(soup.faces.face_count() as u32, named.all());
+                        }
                     }
+                    text if SKIPPED.contains(&text) => {}
+                    text if std::str::from_utf8(text).is_err() => {
+                        return Err(scanner.error(statement.at, ReadProblem::NotText, "save the file as UTF-8 text"));
+                    }
+                    _ => match &mut unknown {
+                        Some(unknown) => unknown.count += 1,
+                        None => unknown = Some(Unknown { error: unknown_statement(&scanner, statement), count: 1 }),
+                    },
                 }
-                text if SKIPPED.contains(&text) => {}
-                text if std::str::from_utf8(text).is_err() => {
-                    return Err(scanner.error(statement.at, ReadProblem::NotText, "save the file as UTF-8 text"));
-                }
-                _ => unknown = Some(unknown.map_or((statement, 1), |(first, count)| (first, count + 1))),
+            }
+            if !scanner.next_line() {
+                break;
             }
         }
-        if !scanner.next_line() {
-            break;
+        if let Some(word) = forward.word {
+            (greatest, greatest_at) = (forward.index, Some(scanner.place(word.at)));
         }
     }
-    if let Some(word) = forward.word.filter(|_| forward.index > soup.points.len() as i64) {
-        return Err(scanner.out_of_range(word, "vertex", forward.index, soup.points.len() as u64, 1));
+    if let Some(place) = greatest_at.filter(|_| greatest > soup.points.len() as i64) {
+        let (problem, help) = no_such("vertex", greatest, soup.points.len() as u64, 1);
+        return Err(ReadError::at(source, place, problem, help));
     }
     let mut notes = Vec::new();
-    if let Some((word, count)) = unknown {
+    if let Some(Unknown { error, count }) = unknown {
+        let ReadProblem::UnknownWord { word } = &*error.what else { return Err(error) };
         if soup.points.is_empty() {
-            let help = "an OBJ file has lines such as `v 0 0 0` and `f 1 2 3`; say the format if it is another one";
-            return Err(scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help));
+            return Err(error);
         }
         notes.push(format!(
-            "{} skipped, the first starts with `{}`",
+            "{} skipped, the first starts with `{word}`",
             counted(count, "line with an unknown statement was", "lines with unknown statements were"),
-            word.show()
         ));
     }
     let soup = PolygonSoup { labels, ..soup.finish(source, gives_z)? };
     Ok(Read { document: Document::Polygons(soup), notes, format: Format::Obj })
+}
+
+fn unknown_statement(scanner: &Scanner<'_>, word: Word<'_>) -> ReadError {
+    let help = "an OBJ file has lines such as `v 0 0 0` and `f 1 2 3`; say the format if it is another one";
+    scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help)
 }
 
 /// The names that hold for the next face.

@@ -8,16 +8,18 @@
 //!   0;3                # starts a comment
 //! ```
 
+use super::blocks::Blocks;
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{load, load_path, read_bytes, read_path, source_name};
-use super::room::reserved;
+use super::read::{format_of, open, read_opened, source_name};
+use super::room::{reserved, too_little};
 use super::soup::SoupBuilder;
-use super::text::{Scanner, Syntax, check_text, note_of_the_end};
+use super::text::{Announced, Scanner, Syntax, note_of_the_end};
 use super::triangle;
-use crate::ids::MAX_IDS;
+use crate::ids::{MAX_IDS, VertexId};
 use crate::plane::Point;
+use crate::topology::View;
 use std::path::Path;
 
 /// Points as a file gives them, in its order.
@@ -40,6 +42,15 @@ impl PointList {
         self.lines.get(point).map_or_else(|| self.source.clone(), |line| format!("{}:{line}", self.source))
     }
 
+    /// Room for as many points more as so many bytes can hold: `0 0` takes four.
+    fn make_room(&mut self, bytes: usize) -> Result<(), ReadError> {
+        let points = bytes / 4 + 1;
+        self.points
+            .try_reserve(points)
+            .and_then(|()| self.lines.try_reserve(points))
+            .map_err(|_| too_little(20 * (2 * self.points.len() + points), &self.source))
+    }
+
     /// Whether there is memory for what is made of the points, so many bytes for each of them. It is asked for and given
     /// back.
     ///
@@ -59,14 +70,14 @@ impl PointList {
 /// # Errors
 /// [`ReadError`] with the place of the first problem.
 pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, ReadError> {
-    let stdin = path.as_os_str() == "-";
     let source = source_name(path);
-    let bytes = if stdin { load(std::io::stdin().lock(), &source)? } else { load_path(path)? };
-    let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
+    let mut blocks = open(path, &source)?;
+    let format = format_of(path, &mut blocks, options)?;
     let is_node = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("node"));
-    let mut list = match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
-        None => points_from_text(&bytes, &source)?,
+    let mut list = match format {
+        None => plain(&mut blocks)?,
         Some(Format::Triangle) if is_node => {
+            let bytes = blocks.into_whole()?;
             let mut soup = SoupBuilder::default();
             triangle::nodes(&mut Scanner::new(&bytes, &source, triangle::SYNTAX)?, &mut soup)?;
             let read = Read {
@@ -77,10 +88,7 @@ pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, Read
             points_of(read, source)
         }
         // These turn y themselves.
-        Some(format) if stdin => {
-            return Ok(points_of(read_bytes(&bytes, format, &source, options)?, source));
-        }
-        Some(_) => return Ok(points_of(read_path(path, options)?, source)),
+        Some(_) => return Ok(points_of(read_opened(path, blocks, format, options)?, source)),
     };
     if options.y_down {
         list.points.iter_mut().for_each(|p| p.y = 0.0 - p.y);
@@ -99,6 +107,10 @@ fn points_of(read: Read, source: String) -> PointList {
             PointList { points, lines, source, notes }
         }
         Document::Segments(soup) => PointList { points: soup.points, lines: soup.point_lines, source, notes },
+        Document::Columns(table) => {
+            let positions = (0..table.vertex_bound() as u32).filter_map(|v| table.position(VertexId::new(v)));
+            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
+        }
         Document::Table(table) => {
             let positions = table.vertices.iter().filter_map(|row| row.as_ref()?.position);
             PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
@@ -119,43 +131,46 @@ fn points_of(read: Read, source: String) -> PointList {
 /// # Ok::<(), dcel_kit::io::ReadError>(())
 /// ```
 pub fn points_from_text(bytes: &[u8], source_name: &str) -> Result<PointList, ReadError> {
-    const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
-    check_text(bytes, source_name)?;
-    // As many bytes as before, so that places stay.
-    let blank = |&b: &u8| if matches!(b, b',' | b';') { b' ' } else { b };
-    let bytes: Vec<u8> = bytes.iter().map(blank).collect();
-    let mut scanner = Scanner::new(&bytes, source_name, SYNTAX)?;
-    let mut list = PointList { source: source_name.to_owned(), ..PointList::default() };
+    plain(&mut Blocks::whole(bytes, source_name)?)
+}
+
+pub(super) fn plain(blocks: &mut Blocks<'_>) -> Result<PointList, ReadError> {
+    const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false, separators: true };
+    let source = blocks.source();
+    let mut list = PointList { source: source.to_owned(), ..PointList::default() };
     let (mut heading, mut announced) = (false, None);
-    while let Some(first) = scanner.word_anywhere() {
-        let line = scanner.line();
-        let at_start = list.points.is_empty() && announced.is_none();
-        if at_start && !heading && starts_with_letter(first.text) {
-            heading = true;
-            scanner.next_line();
-            continue;
+    while let Some(block) = blocks.with_separators().next()? {
+        if block.is_part {
+            list.make_room(block.bytes.len())?;
         }
-        let Some(second) = scanner.word() else {
-            if !at_start {
-                return Err(scanner.missing("the y of the point".to_owned()));
+        let mut scanner = Scanner::of_block(block, SYNTAX);
+        while let Some(first) = scanner.word_anywhere() {
+            let line = scanner.line();
+            let at_start = list.points.is_empty() && announced.is_none();
+            if at_start && !heading && starts_with_letter(first.text) {
+                heading = true;
+                scanner.next_line();
+                continue;
             }
-            announced = Some((scanner.count(first)?, first));
-            continue;
-        };
-        list.points.push(Point::new(scanner.coordinate('x', first)?, scanner.coordinate('y', second)?));
-        list.lines.push(line);
-        scanner.end_of_line("a point is x y, one a line")?;
+            let Some(second) = scanner.word() else {
+                if !at_start {
+                    return Err(scanner.missing("the y of the point".to_owned()));
+                }
+                announced = Some(Announced::new(&scanner, first)?);
+                continue;
+            };
+            list.points.push(Point::new(scanner.coordinate('x', first)?, scanner.coordinate('y', second)?));
+            list.lines.push(line);
+            scanner.end_of_line("a point is x y, one a line")?;
+        }
     }
-    if let Some((count, word)) = announced
-        && count != list.points.len() as u64
-    {
-        let wanted = format!("the number of points, {}", list.points.len());
-        return Err(scanner.expected(word, wanted, "correct it or leave the line out"));
+    if let Some(announced) = announced {
+        announced.check(list.points.len(), "points", source)?;
     }
-    list.notes.extend(note_of_the_end(&bytes));
+    list.notes.extend(blocks.note());
     if list.points.len() > MAX_IDS {
         let problem = ReadProblem::TooLarge { what: "points", limit: MAX_IDS as u64 };
-        return Err(ReadError::whole(source_name, problem, ""));
+        return Err(ReadError::whole(source, problem, ""));
     }
     Ok(list)
 }

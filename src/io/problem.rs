@@ -213,6 +213,16 @@ impl ReadError {
             help: help.into(),
         }
     }
+
+    /// A problem at a line and a column.
+    pub(super) fn at(
+        source: &str,
+        (line, column): (u32, u32),
+        what: ReadProblem,
+        help: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self { line: Some(line), column: Some(column), ..Self::whole(source, what, help) }
+    }
 }
 
 impl fmt::Display for ReadError {

@@ -1,13 +1,12 @@
 //! The way in: from a path or from bytes to a [`Document`].
 
+use super::blocks::{Blocks, Origin};
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::room::too_little;
 use super::text::{LARGEST_FILE, note_of_the_end};
 use super::{dcel, grid, json, mesh, obj, off, ply, poly, segments, stl, triangle, wkt};
 use std::fs::File;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 /// Reads a file that is in memory. `source_name` is what errors call it.
@@ -32,8 +31,9 @@ use std::path::{Path, PathBuf};
 /// ```
 pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &ReadOptions) -> Result<Read, ReadError> {
     let read = match format {
-        Format::Obj => obj::read(bytes, source_name),
-        Format::Off => off::read(bytes, source_name),
+        Format::Obj | Format::Off | Format::Dcel | Format::Segments => {
+            return read_blocks(&mut Blocks::whole(bytes, source_name)?, format, options);
+        }
         Format::Ply | Format::PlyBinary => ply::read(bytes, source_name),
         Format::Stl | Format::StlBinary => stl::read(bytes, source_name),
         Format::Mesh => mesh::read(bytes, source_name),
@@ -41,8 +41,6 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
         Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),
         Format::Wkt => wkt::read(bytes, source_name),
         Format::Poly => poly::read(triangle::File { bytes, source: source_name }, None),
-        Format::Segments => segments::read(bytes, source_name),
-        Format::Dcel => dcel::read(bytes, source_name),
         Format::Triangle => {
             let problem = ReadProblem::PartnerMissing { partner: "of this .node or .ele file".to_owned() };
             Err(ReadError::whole(source_name, problem, "give the path of one of the two files, not its contents"))
@@ -59,6 +57,18 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
     Ok(turned(read, options))
 }
 
+/// Reads a file of lines block by block.
+pub(super) fn read_blocks(blocks: &mut Blocks<'_>, format: Format, options: &ReadOptions) -> Result<Read, ReadError> {
+    let mut read = match format {
+        Format::Obj => obj::read(blocks),
+        Format::Off => off::read(blocks),
+        Format::Segments => segments::read(blocks),
+        _ => dcel::read(blocks, options.columns),
+    }?;
+    read.notes.extend(blocks.note());
+    Ok(turned(read, options))
+}
+
 /// Whether the header of a PLY file says that numbers follow as they are in memory.
 fn is_binary(bytes: &[u8]) -> bool {
     bytes.starts_with(b"ply") && bytes.windows(13).take(200).any(|part| part == b"format binary")
@@ -68,7 +78,9 @@ fn is_binary(bytes: &[u8]) -> bool {
 /// last line tells that it is whole.
 fn is_of_lines(format: Format) -> bool {
     match format {
-        Format::Obj | Format::Off | Format::Ply | Format::Mesh | Format::Poly | Format::Segments | Format::Dcel => true,
+        Format::Ply | Format::Mesh | Format::Poly => true,
+        // These are told by the blocks.
+        Format::Obj | Format::Off | Format::Segments | Format::Dcel => false,
         // These close what they open, or count the characters of a line.
         Format::GeoJson | Format::TopoJson | Format::Wkt | Format::Stl | Format::Map => false,
         // The two files of this one are read together.
@@ -103,26 +115,60 @@ pub fn read_triangle(
 /// # Errors
 /// As [`read_bytes`], and what the machine says.
 pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> {
-    let (stdin, source, bytes) = (is_stdin(path), source_name(path), load_whole(path)?);
-    let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
-    match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
+    let source = source_name(path);
+    let mut blocks = open(path, &source)?;
+    let format = format_of(path, &mut blocks, options)?;
+    read_opened(path, blocks, format, options)
+}
+
+/// The format: as it is asked for, by the name of the file, by its start.
+pub(super) fn format_of(
+    path: &Path,
+    blocks: &mut Blocks<'_>,
+    options: &ReadOptions,
+) -> Result<Option<Format>, ReadError> {
+    let by_name = || if is_stdin(path) { None } else { Format::from_path(path).filter(|format| format.can_read()) };
+    match options.format.or_else(by_name) {
+        None => Format::from_start(blocks),
+        format => Ok(format),
+    }
+}
+
+/// Reads a file that is open, of which the format is known or cannot be known.
+pub(super) fn read_opened(
+    path: &Path,
+    mut blocks: Blocks<'_>,
+    format: Option<Format>,
+    options: &ReadOptions,
+) -> Result<Read, ReadError> {
+    let (stdin, source) = (is_stdin(path), blocks.source());
+    match format {
+        Some(format @ (Format::Obj | Format::Segments | Format::Dcel)) => {
+            return read_blocks(&mut blocks, format, options);
+        }
+        // If the header counts wrongly, the lines are looked at again.
+        Some(format @ Format::Off) if blocks.can_restart() => return read_blocks(&mut blocks, format, options),
+        _ => {}
+    }
+    let bytes = blocks.into_whole()?;
+    match format {
         Some(Format::Triangle) if !stdin => pair(path, &bytes, options),
         Some(Format::Poly) if !stdin => {
             // Its points may be in a file of their own.
             let node = partner_of(path, true);
             let points = if node.exists() { Some(load_path(&node)?) } else { None };
-            let (name, poly) = (node.display().to_string(), triangle::File { bytes: &bytes, source: &source });
+            let (name, poly) = (node.display().to_string(), triangle::File { bytes: &bytes, source });
             let node = points.as_deref().map(|bytes| triangle::File { bytes, source: &name });
             let mut read = poly::read(poly, node)?;
             read.notes.extend(note_of_the_end(&bytes));
             Ok(turned(read, options))
         }
-        Some(format) => read_bytes(&bytes, format, &source, options),
-        None if bytes.is_empty() => Err(ReadError::whole(&source, ReadProblem::Empty, "")),
+        Some(format) => read_bytes(&bytes, format, source, options),
+        None if bytes.is_empty() => Err(ReadError::whole(source, ReadProblem::Empty, "")),
         None => {
             let names: Vec<_> = Format::ALL.into_iter().filter(|f| f.can_read()).map(Format::name).collect();
             let help = format!("say it: {}", names.join(", "));
-            Err(ReadError::whole(&source, ReadProblem::UnknownFormat, help))
+            Err(ReadError::whole(source, ReadProblem::UnknownFormat, help))
         }
     }
 }
@@ -132,16 +178,12 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
 /// # Errors
 /// [`ReadError`]: what the machine says; too little memory; more bytes than any reader takes.
 pub fn read_whole(path: &Path) -> Result<Vec<u8>, ReadError> {
-    let bytes = load_whole(path)?;
+    let bytes = load_path(path)?;
     if bytes.len() as u64 >= LARGEST_FILE {
         let problem = ReadProblem::TooLarge { what: "bytes", limit: LARGEST_FILE };
         return Err(ReadError::whole(&source_name(path), problem, ""));
     }
     Ok(bytes)
-}
-
-fn load_whole(path: &Path) -> Result<Vec<u8>, ReadError> {
-    if is_stdin(path) { load(std::io::stdin().lock(), &source_name(path)) } else { load_path(path) }
 }
 
 fn is_stdin(path: &Path) -> bool {
@@ -178,26 +220,27 @@ fn partner_of(path: &Path, is_ele: bool) -> PathBuf {
     path.with_extension(if capitals { extension.to_ascii_uppercase() } else { extension.to_owned() })
 }
 
-pub(super) fn load_path(path: &Path) -> Result<Vec<u8>, ReadError> {
-    let source = path.display().to_string();
+/// Opens a file, or standard input for `-`; nothing is read yet.
+pub(super) fn open<'a>(path: &Path, source: &'a str) -> Result<Blocks<'a>, ReadError> {
+    if is_stdin(path) {
+        return Ok(Blocks::pieces(Origin::Once(Box::new(std::io::stdin().lock())), source, None));
+    }
     if path.is_dir() {
         let problem = ReadProblem::Io { reason: "it is a directory".to_owned() };
-        return Err(ReadError::whole(&source, problem, "give a file in it"));
+        return Err(ReadError::whole(source, problem, "give a file in it"));
     }
     let file = File::open(path).map_err(|error| {
-        ReadError::whole(&source, ReadProblem::Io { reason: error.to_string() }, "check the name of the file")
+        ReadError::whole(source, ReadProblem::Io { reason: error.to_string() }, "check the name of the file")
     })?;
-    load(file, &source)
+    // Files that are made while they are read have no length.
+    let length = file.metadata().ok().filter(|data| data.is_file() && data.len() > 0).map(|data| data.len());
+    let origin = if length.is_some() { Origin::Again(Box::new(file)) } else { Origin::Once(Box::new(file)) };
+    Ok(Blocks::pieces(origin, source, length.map(|length| usize::try_from(length).unwrap_or(usize::MAX))))
 }
 
 /// All bytes, but not more than a file may have.
-pub(super) fn load(from: impl std::io::Read, source: &str) -> Result<Vec<u8>, ReadError> {
-    let mut bytes = Vec::new();
-    match from.take(LARGEST_FILE).read_to_end(&mut bytes) {
-        Ok(_) => Ok(bytes),
-        Err(error) if error.kind() == std::io::ErrorKind::OutOfMemory => Err(too_little(bytes.len(), source)),
-        Err(error) => Err(ReadError::whole(source, ReadProblem::Io { reason: error.to_string() }, "")),
-    }
+fn load_path(path: &Path) -> Result<Vec<u8>, ReadError> {
+    open(path, &source_name(path))?.into_whole()
 }
 
 /// Turns y upwards, if the file has it downwards.
@@ -212,6 +255,7 @@ fn turned(mut read: Read, options: &ReadOptions) -> Read {
             Document::Segments(soup) => {
                 soup.points.iter_mut().chain(&mut soup.hole_points).for_each(|p| p.y = 0.0 - p.y);
             }
+            Document::Columns(table) => table.positions_mut().for_each(|p| p[1] = 0.0 - p[1]),
             Document::Table(table) => {
                 let rows = table.vertices.iter_mut().flatten();
                 rows.filter_map(|row| row.position.as_mut()).for_each(|p| p[1] = 0.0 - p[1]);

@@ -8,11 +8,12 @@
 //!   1 1                a point by itself
 //! ```
 
+use super::blocks::Blocks;
 use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::ReadError;
 use super::soup::SegmentSoup;
-use super::text::{Scanner, Syntax};
+use super::text::{Announced, Scanner, Syntax};
 
 /// Whether a line holds four numbers.
 pub(super) fn is_segment(line: &str) -> bool {
@@ -22,34 +23,37 @@ pub(super) fn is_segment(line: &str) -> bool {
 }
 
 /// Reads plain segments. O(length).
-pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
-    const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
-    let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
+pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
+    const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false, separators: false };
+    let source = blocks.source();
     let mut soup = SegmentSoup::new(source);
     let mut announced = None;
-    while let Some(first) = scanner.word_anywhere() {
-        let line = scanner.line();
-        let Some(second) = scanner.word() else {
-            if announced.is_some() || !soup.points.is_empty() {
-                return Err(scanner.missing("the y of the point".to_owned()));
-            }
-            announced = Some((scanner.count(first)?, first));
-            continue;
-        };
-        let start = [scanner.coordinate('x', first)?, scanner.coordinate('y', second)?];
-        let start = soup.point(start, line);
-        let Some(third) = scanner.word() else { continue };
-        let y = scanner.need(|| "the y of the second end".to_owned())?;
-        let end = [scanner.coordinate('x', third)?, scanner.coordinate('y', y)?];
-        let end = soup.point(end, line);
-        soup.segment([start, end], line);
-        scanner.end_of_line("a segment is x y x y, a point is x y; one of them a line")?;
+    while let Some(block) = blocks.next()? {
+        if block.is_part {
+            soup.make_room(block.bytes.len())?;
+        }
+        let mut scanner = Scanner::of_block(block, SYNTAX);
+        while let Some(first) = scanner.word_anywhere() {
+            let line = scanner.line();
+            let Some(second) = scanner.word() else {
+                if announced.is_some() || !soup.points.is_empty() {
+                    return Err(scanner.missing("the y of the point".to_owned()));
+                }
+                announced = Some(Announced::new(&scanner, first)?);
+                continue;
+            };
+            let start = [scanner.coordinate('x', first)?, scanner.coordinate('y', second)?];
+            let start = soup.point(start, line);
+            let Some(third) = scanner.word() else { continue };
+            let y = scanner.need(|| "the y of the second end".to_owned())?;
+            let end = [scanner.coordinate('x', third)?, scanner.coordinate('y', y)?];
+            let end = soup.point(end, line);
+            soup.segment([start, end], line);
+            scanner.end_of_line("a segment is x y x y, a point is x y; one of them a line")?;
+        }
     }
-    if let Some((count, word)) = announced
-        && count != soup.segments.len() as u64
-    {
-        let wanted = format!("the number of segments, {}", soup.segments.len());
-        return Err(scanner.expected(word, wanted, "correct it or leave the line out"));
+    if let Some(announced) = announced {
+        announced.check(soup.segments.len(), "segments", source)?;
     }
     Ok(Read { document: Document::Segments(soup.checked()?), notes: Vec::new(), format: Format::Segments })
 }

@@ -1,17 +1,32 @@
 //! The format of a file by its first bytes.
 
+use super::blocks::Blocks;
 use super::format::Format;
+use super::problem::ReadError;
 use super::segments::is_segment;
-use super::stl::is_binary;
+use super::stl::{is_binary, length_of_binary};
+use super::text::LARGEST_FILE;
 use super::wkt::starts_geometry;
 
 impl Format {
     /// The format that the first bytes of a file show: for standard input and unknown names.
     #[must_use]
     pub fn from_content(bytes: &[u8]) -> Option<Self> {
-        if is_binary(bytes) {
-            return Some(Self::Stl);
+        if is_binary(bytes) { Some(Self::Stl) } else { Self::from_text(bytes) }
+    }
+
+    /// The same of a text that is still to be read. If only its length can tell, it is read to its end.
+    pub(super) fn from_start(blocks: &mut Blocks<'_>) -> Result<Option<Self>, ReadError> {
+        let length = length_of_binary(blocks.peek()?).filter(|&length| length < LARGEST_FILE);
+        if length.is_some() && blocks.known_length().is_none() {
+            blocks.rest()?;
         }
+        let known = blocks.known_length().map(|known| known as u64);
+        let is_binary = length.is_some() && length == known;
+        Ok(if is_binary { Some(Self::Stl) } else { Self::from_text(blocks.peek()?) })
+    }
+
+    fn from_text(bytes: &[u8]) -> Option<Self> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
         let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));

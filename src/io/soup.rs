@@ -2,7 +2,7 @@
 
 use super::labels::Labels;
 use super::problem::{ReadError, ReadProblem};
-use super::room::reserved;
+use super::room::{reserved, too_little};
 use crate::ids::MAX_IDS;
 use crate::plane::Point;
 use crate::plane::cycle::encloses;
@@ -247,6 +247,21 @@ impl SegmentSoup {
         self.points.len() as u32 - 1
     }
 
+    /// Room for what so many bytes of text can hold, beside what there is: a point takes four at least, `0 0`, a segment
+    /// eight.
+    ///
+    /// # Errors
+    /// If there is not so much memory.
+    pub(super) fn make_room(&mut self, bytes: usize) -> Result<(), ReadError> {
+        let (points, segments) = (bytes / 4 + 1, bytes / 8 + 1);
+        let made = self.points.try_reserve(points).and_then(|()| self.point_lines.try_reserve(points));
+        let made = made.and_then(|()| self.segments.try_reserve(segments));
+        made.and_then(|()| self.segment_lines.try_reserve(segments)).map_err(|_| {
+            let there = 20 * self.points.len() + 12 * self.segments.len();
+            too_little(2 * there + 20 * points + 12 * segments, &self.source)
+        })
+    }
+
     /// Appends a segment.
     pub(super) fn segment(&mut self, ends: [u32; 2], line: u32) {
         self.segments.push(ends);
@@ -315,6 +330,21 @@ impl SoupBuilder {
     ) -> Result<Self, ReadError> {
         let room = points.min((bytes / bytes_per_point) as u64) as usize;
         Ok(Self { points: reserved(room, source)?, vertex_lines: reserved(room, source)?, ..Self::default() })
+    }
+
+    /// Room for what so many bytes of text can hold, beside what there is: a point takes five at least, `v 0 0`, a face
+    /// three, a corner two.
+    ///
+    /// # Errors
+    /// If there is not so much memory.
+    pub(super) fn make_room(&mut self, bytes: usize, source: &str) -> Result<(), ReadError> {
+        let (points, faces, corners) = (bytes / 5 + 1, bytes / 3 + 1, bytes / 2 + 1);
+        let made = self.points.try_reserve(points).and_then(|()| self.vertex_lines.try_reserve(points));
+        let made = made.and_then(|()| self.face_lines.try_reserve(faces));
+        made.and_then(|()| self.faces.try_reserve(corners, faces)).map_err(|_| {
+            let lists = [self.points.len() * 24, self.vertex_lines.len() * 4, self.faces.corner_count() * 12];
+            too_little(2 * lists.iter().sum::<usize>() + 28 * points + 12 * faces + 4 * corners, source)
+        })
     }
 
     /// Appends a point that stands in line `line`.

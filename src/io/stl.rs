@@ -42,7 +42,7 @@ use crate::topology::PolygonList;
 use std::cmp::Ordering;
 use std::io::Write;
 
-const SYNTAX: Syntax = Syntax { comments: false, continuation: false, quotes: false };
+const SYNTAX: Syntax = Syntax { comments: false, continuation: false, quotes: false, separators: false };
 /// Bytes before the first triangle of a binary file.
 const HEAD: usize = 84;
 /// Bytes of a triangle.
@@ -50,8 +50,13 @@ const TRIANGLE: usize = 50;
 
 /// Whether the length of a file is that of a binary STL file with its count.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    let count = bytes.get(HEAD - 4..).and_then(<[u8]>::first_chunk).map(|count| u32::from_le_bytes(*count));
-    count.is_some_and(|count| bytes.len() as u64 == HEAD as u64 + u64::from(count) * TRIANGLE as u64)
+    length_of_binary(bytes) == Some(bytes.len() as u64)
+}
+
+/// How long a file is if it is a binary STL file that starts like this.
+pub(super) fn length_of_binary(start: &[u8]) -> Option<u64> {
+    let count = start.get(HEAD - 4..).and_then(<[u8]>::first_chunk).map(|count| u32::from_le_bytes(*count));
+    count.map(|count| HEAD as u64 + u64::from(count) * TRIANGLE as u64)
 }
 
 /// Reads an STL file, text or binary. O(n log n), for finding equal corners.

@@ -9,6 +9,7 @@
 //! Words are slices of the file; nothing is copied. A place is a byte offset; only an error turns it into line
 //! and column, so that the way without errors pays nothing for them.
 
+use super::block::Block;
 use super::problem::{ReadError, ReadProblem};
 use super::room::for_text;
 use crate::plane::check_coordinate;
@@ -48,22 +49,57 @@ pub(super) struct Syntax {
     pub(super) continuation: bool,
     /// Whether `"` starts a word that may hold blanks.
     pub(super) quotes: bool,
+    /// Whether commas and semicolons are blanks.
+    pub(super) separators: bool,
 }
 
-/// A file with a reading position.
+/// A file, or a block of one, with a reading position.
 #[derive(Clone, Debug)]
 pub(super) struct Scanner<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u32,
+    /// The bytes of the file before these, and the line in which these start.
+    base: usize,
+    first_line: u32,
     syntax: Syntax,
+    /// Of [`KINDS`], those that part words, and those that end them.
+    blanks: u8,
+    ends: u8,
     source: &'a str,
     stage: Arc<Stage>,
 }
 
-const fn is_blank(b: u8) -> bool {
-    matches!(b, b' ' | b'\t' | 0x0b | 0x0c)
-}
+const BLANK: u8 = 1;
+const LINE_END: u8 = 2;
+const COMMENT: u8 = 4;
+const JOIN: u8 = 8;
+const SEPARATOR: u8 = 16;
+
+/// What each byte may mean.
+const KINDS: [u8; 256] = {
+    let mut kinds = [0; 256];
+    let meanings = [
+        (b' ', BLANK),
+        (b'\t', BLANK),
+        (0x0b, BLANK),
+        (0x0c, BLANK),
+        (b'\n', LINE_END),
+        (b'\r', LINE_END),
+        (b'#', COMMENT),
+        (b'\\', JOIN),
+        (b',', SEPARATOR),
+        (b';', SEPARATOR),
+    ];
+    let mut i = 0;
+    while i < meanings.len() {
+        kinds[meanings[i].0 as usize] = meanings[i].1;
+        i += 1;
+    }
+    kinds
+};
+
+const MARK: &[u8] = b"\xef\xbb\xbf";
 
 const fn is_line_end(b: u8) -> bool {
     matches!(b, b'\n' | b'\r')
@@ -96,13 +132,21 @@ pub(super) fn line_and_column(bytes: &[u8], at: usize) -> (u32, u32) {
 /// That the last line has no end, so that nothing tells whether it is all there: a file that was cut off while it was
 /// written or sent looks like this. Nothing of binary data, and of a last line that says nothing.
 pub(super) fn note_of_the_end(bytes: &[u8]) -> Option<String> {
+    if bytes.contains(&0) { None } else { note_of_the_last_line(bytes, 1, false) }
+}
+
+/// The same of the last lines of a text, of which the first one has the number `first_line`. Commas and semicolons may be
+/// blanks.
+pub(super) fn note_of_the_last_line(bytes: &[u8], first_line: u32, separators: bool) -> Option<String> {
     let start = bytes.iter().rposition(|&b| is_line_end(b)).map_or(0, |end| end + 1);
-    let last = bytes[start..].trim_ascii();
-    if last.is_empty() || last.starts_with(b"#") || bytes.contains(&0) {
+    let says = |b: &u8| !(b.is_ascii_whitespace() || separators && matches!(b, b',' | b';'));
+    let last = &bytes[start..];
+    let last = &last[last.iter().position(says).unwrap_or(last.len())..];
+    if last.is_empty() || last.starts_with(b"#") {
         return None;
     }
     let (line, _) = line_and_column(bytes, start);
-    Some(format!("line {line}, the last one, has no end: was the file cut off there?"))
+    Some(format!("line {}, the last one, has no end: was the file cut off there?", first_line - 1 + line))
 }
 
 /// The lines of bytes that come in the order of the file, or nearly so.
@@ -154,9 +198,19 @@ impl<'a> Scanner<'a> {
     /// An empty file, one of 4 GiB or more, and one in UTF-16.
     pub(super) fn new(bytes: &'a [u8], source: &'a str, syntax: Syntax) -> Result<Self, ReadError> {
         check_text(bytes, source)?;
-        let at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
         let stage = Arc::new(Stage::new("reading", bytes.len()));
-        Ok(Self { bytes, at, line: 1, syntax, source, stage })
+        let (left, is_part) = (bytes.len(), false);
+        Ok(Self::of_block(Block { bytes, base: 0, line: 1, is_last: true, left, is_part, source, stage }, syntax))
+    }
+
+    /// A scanner at the start of a block, behind a byte order mark if it is the first one.
+    pub(super) fn of_block(block: Block<'a>, syntax: Syntax) -> Self {
+        let Block { bytes, base, line, source, stage, .. } = block;
+        let at = if base == 0 && bytes.starts_with(MARK) { MARK.len() } else { 0 };
+        let blanks = if syntax.separators { BLANK | SEPARATOR } else { BLANK };
+        let comment = if syntax.comments { COMMENT } else { 0 };
+        let ends = blanks | LINE_END | comment | if syntax.continuation { JOIN } else { 0 };
+        Self { bytes, at, line, base, first_line: line, syntax, blanks, ends, source, stage }
     }
 
     /// The number of the line the scanner is in, from 1.
@@ -184,6 +238,19 @@ impl<'a> Scanner<'a> {
         self.at = at;
     }
 
+    /// Continues at this byte of the block, which is in line `line`.
+    pub(super) fn go_to(&mut self, at: usize, line: u32) {
+        (self.at, self.line) = (at, line);
+    }
+
+    /// Line and column, both from 1, of a byte of the block.
+    pub(super) fn place(&self, at: usize) -> (u32, u32) {
+        let (line, column) = line_and_column(self.bytes, at);
+        // Only the first bytes of a file are a byte order mark.
+        let mark = self.base > 0 && line == 1 && self.bytes[..at.min(self.bytes.len())].starts_with(MARK);
+        (self.first_line - 1 + line, column + u32::from(mark))
+    }
+
     fn byte(&self) -> Option<u8> {
         self.bytes.get(self.at).copied()
     }
@@ -198,14 +265,14 @@ impl<'a> Scanner<'a> {
         self.at += length;
         self.line += 1;
         if self.line.is_multiple_of(4096) {
-            self.stage.set(self.at);
+            self.stage.set(self.base + self.at);
         }
         true
     }
 
     fn skip_blanks(&mut self) {
         while let Some(b) = self.byte() {
-            if is_blank(b) {
+            if KINDS[usize::from(b)] & self.blanks != 0 {
                 self.at += 1;
             } else if b == b'\\'
                 && self.syntax.continuation
@@ -232,13 +299,9 @@ impl<'a> Scanner<'a> {
             return Some(self.quoted());
         }
         let rest = &self.bytes[at..];
-        let Syntax { comments, continuation, .. } = self.syntax;
         let ends = |(i, &b): (usize, &u8)| {
-            b <= b'\\'
-                && (is_blank(b)
-                    || is_line_end(b)
-                    || (b == b'#' && comments)
-                    || (b == b'\\' && continuation && rest.get(i + 1).is_some_and(|&b| is_line_end(b))))
+            let kind = KINDS[usize::from(b)] & self.ends;
+            kind != 0 && (kind != JOIN || rest.get(i + 1).is_some_and(|&b| is_line_end(b)))
         };
         let length = rest.iter().enumerate().position(ends).unwrap_or(rest.len());
         self.at += length;
@@ -335,15 +398,7 @@ impl<'a> Scanner<'a> {
     /// An error at a byte of the file.
     #[cold]
     pub(super) fn error(&self, at: usize, what: ReadProblem, help: impl Into<Cow<'static, str>>) -> ReadError {
-        let (line, column) = line_and_column(self.bytes, at);
-        ReadError {
-            source: self.source.to_owned(),
-            line: Some(line),
-            column: Some(column),
-            offset: None,
-            what: Box::new(what),
-            help: help.into(),
-        }
+        ReadError::at(self.source, self.place(at), what, help)
     }
 
     /// The error that `word` stands where `wanted` should.
@@ -420,11 +475,40 @@ impl<'a> Scanner<'a> {
         count: u64,
         first: i64,
     ) -> ReadError {
-        let help = match count {
-            0 => String::new(),
-            _ => format!("they are numbered {first} to {}", count as i64 - 1 + first),
-        };
-        self.error(word.at, ReadProblem::IndexOutOfRange { what, index, count }, help)
+        let (problem, help) = no_such(what, index, count, first);
+        self.error(word.at, problem, help)
+    }
+}
+
+/// That a reference to one of `count` things numbered from `first` leads nowhere, and which ones do not.
+pub(super) fn no_such(what: &'static str, index: i64, count: u64, first: i64) -> (ReadProblem, String) {
+    let help = match count {
+        0 => String::new(),
+        _ => format!("they are numbered {first} to {}", count as i64 - 1 + first),
+    };
+    (ReadProblem::IndexOutOfRange { what, index, count }, help)
+}
+
+/// A number of things that a file says at its start.
+pub(super) struct Announced {
+    count: u64,
+    place: (u32, u32),
+    word: String,
+}
+
+impl Announced {
+    pub(super) fn new(scanner: &Scanner<'_>, word: Word<'_>) -> Result<Self, ReadError> {
+        Ok(Self { count: scanner.count(word)?, place: scanner.place(word.at), word: word.show() })
+    }
+
+    /// Refuses another number of things than there are.
+    pub(super) fn check(self, there: usize, what: &'static str, source: &str) -> Result<(), ReadError> {
+        if self.count == there as u64 {
+            return Ok(());
+        }
+        let wanted = format!("the number of {what}, {there}").into();
+        let problem = ReadProblem::Expected { wanted, found: format!("`{}`", self.word) };
+        Err(ReadError::at(source, self.place, problem, "correct it or leave the line out"))
     }
 }
 
@@ -451,17 +535,23 @@ pub(super) fn parse_integer(text: &[u8]) -> Option<i64> {
 
 /// Refuses what no reader can take: no bytes, too many bytes, more than there is memory for, UTF-16.
 pub(super) fn check_text(bytes: &[u8], source: &str) -> Result<(), ReadError> {
+    check_start(bytes, bytes.len(), source)?;
+    for_text(bytes, source)
+}
+
+/// The same of a text of `length` bytes of which only the start is there; memory is not looked at.
+pub(super) fn check_start(bytes: &[u8], length: usize, source: &str) -> Result<(), ReadError> {
     let fail = |what, help| Err(ReadError::whole(source, what, help));
     if bytes.is_empty() {
         return fail(ReadProblem::Empty, "");
     }
-    if bytes.len() as u64 >= LARGEST_FILE {
+    if length as u64 >= LARGEST_FILE {
         return fail(ReadProblem::TooLarge { what: "bytes", limit: LARGEST_FILE }, "");
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return fail(ReadProblem::Refused { what: "text in UTF-16".into() }, "save the file as UTF-8 text");
     }
-    for_text(bytes, source)
+    Ok(())
 }
 
 #[cfg(test)]
@@ -480,7 +570,7 @@ mod tests {
 
     #[test]
     fn words_are_found_across_line_ends_comments_and_joined_lines() {
-        let all = Syntax { comments: true, continuation: true, quotes: false };
+        let all = Syntax { comments: true, continuation: true, ..Syntax::default() };
         let text = b"\xef\xbb\xbfa b#c d\r\n\r\n\te \\\r\nf\rg\\\nh\n# \\\ni";
         let expected = [("a", 1), ("b", 1), ("e", 3), ("f", 4), ("g", 5), ("h", 6), ("i", 8)];
         assert_eq!(words(text, all), expected.map(|(word, line)| (word.to_owned(), line)));

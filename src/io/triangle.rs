@@ -22,7 +22,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 
-pub(super) const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
+pub(super) const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false, separators: false };
 
 /// One file with its name.
 #[derive(Clone, Copy, Debug)]

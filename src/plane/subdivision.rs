@@ -136,6 +136,12 @@ impl PlanarView for Subdivision {
     }
 }
 
+impl PlanarView for crate::topology::TableColumns {
+    fn position(&self, v: VertexId) -> Option<Point> {
+        Self::position(self, v).map(Point::from)
+    }
+}
+
 impl PlanarView for crate::topology::Table {
     fn position(&self, v: VertexId) -> Option<Point> {
         self.vertices.get(v.index())?.as_ref()?.position.map(Point::from)

@@ -12,7 +12,9 @@
 
 use super::{CoordinateError, GeometryViolation, Point, Subdivision};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
-use crate::topology::{Columns, Dcel, HalfEdgeRow, InnerComponent, NoRecorder, Table, TooMany, Violation, violations};
+use crate::topology::{
+    Columns, Dcel, HalfEdgeRow, InnerComponent, NoRecorder, Table, TableColumns, TooMany, View, Violation, violations,
+};
 
 /// Why a table is no subdivision of the plane. All ids are those of the table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -86,10 +88,7 @@ impl Subdivision {
         if !broken.is_empty() {
             return Err(TableError::Invariants { violations: broken });
         }
-        let bounds = [table.vertices.len(), table.half_edges.len() + 1, table.faces.len()];
-        if bounds.iter().any(|&bound| bound > MAX_IDS) {
-            return Err(TooMany.into());
-        }
+        check_sizes(table)?;
         let outer = table.outer_face.ok_or(TableError::NoOuterFace)?;
         let points = positions(table)?;
         let numbers = Numbers::new(table, outer);
@@ -114,6 +113,62 @@ impl Subdivision {
     }
 }
 
+impl Subdivision {
+    /// The same as [`from_table`](Self::from_table) of a table in columns, which is empty afterwards. If its twins are h ^ 1,
+    /// its outer face is `f0` and no number is left out, its columns become those of the subdivision, and nothing is copied.
+    ///
+    /// # Errors
+    /// As [`from_table`](Self::from_table); the table is as it was.
+    pub fn from_columns(table: &mut TableColumns) -> Result<Self, TableError> {
+        if table.outer_face != Some(FaceId::new(0)) || !table.has_no_gaps() {
+            let subdivision = Self::from_table(&table.clone().into_table())?;
+            *table = TableColumns::default();
+            return Ok(subdivision);
+        }
+        let broken = violations(table);
+        if !broken.is_empty() {
+            return Err(TableError::Invariants { violations: broken });
+        }
+        check_sizes(table)?;
+        for v in (0..table.vertex_bound() as u32).map(VertexId::new) {
+            checked(v, table.position(v))?;
+        }
+        table.shrink_to_fit();
+        let columns = std::mem::take(&mut table.columns);
+        let points: Vec<Point> = std::mem::take(&mut table.positions).into_iter().map(Point::from).collect();
+        let mut subdivision = Self::from_parts(Dcel::from_columns(columns), points.into());
+        for (&f, details) in &table.details {
+            if details.hole {
+                subdivision.holes.insert(FaceId::new(f));
+            }
+            if !details.inner_components.is_empty() {
+                subdivision.inner_components.insert(FaceId::new(f), details.inner_components.clone());
+            }
+        }
+        let violations = subdivision.geometry_violations();
+        if violations.is_empty() {
+            *table = TableColumns::default();
+            return Ok(subdivision);
+        }
+        table.positions = subdivision.points.as_slice().iter().map(|p| [p.x, p.y]).collect();
+        table.columns = subdivision.dcel.into_columns();
+        Err(TableError::Geometry { violations })
+    }
+}
+
+/// Refuses more elements than there are ids.
+fn check_sizes<V: View>(table: &V) -> Result<(), TooMany> {
+    let bounds = [table.vertex_bound(), table.half_edge_bound() + 1, table.face_bound()];
+    if bounds.iter().any(|&bound| bound > MAX_IDS) { Err(TooMany) } else { Ok(()) }
+}
+
+/// The place of a vertex, if it has one that can be used.
+fn checked(vertex: VertexId, position: Option<[f64; 2]>) -> Result<Point, TableError> {
+    let point = Point::from(position.ok_or(TableError::NoPosition { vertex })?);
+    point.check().map_err(|error| TableError::Coordinate { vertex, error })?;
+    Ok(point)
+}
+
 /// The structure of a table that obeys the laws and whose twins are h ^ 1. All elements keep their numbers.
 #[cfg(feature = "serde")]
 pub(crate) fn dcel_of_table(table: &Table) -> Dcel {
@@ -126,9 +181,7 @@ fn positions(table: &Table) -> Result<VertexMap<Point>, TableError> {
     for (v, row) in table.vertices.iter().enumerate() {
         let vertex = VertexId::new(v as u32);
         let Some(row) = row else { continue };
-        let point = Point::from(row.position.ok_or(TableError::NoPosition { vertex })?);
-        point.check().map_err(|error| TableError::Coordinate { vertex, error })?;
-        points[vertex] = point;
+        points[vertex] = checked(vertex, row.position)?;
     }
     Ok(points)
 }

@@ -80,7 +80,7 @@ impl FreeLists {
 }
 
 /// The whole columns of a structure, as a builder fills them.
-#[derive(Default)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub(crate) struct Columns {
     pub(crate) origin: Vec<u32>,
     pub(crate) next: Vec<u32>,
@@ -135,6 +135,12 @@ impl Dcel {
     pub(crate) fn from_columns(columns: Columns) -> Self {
         let Columns { origin, next, prev, face, outgoing, boundary } = columns;
         Self { origin, next, prev, face, outgoing, boundary, free: FreeLists::EMPTY }
+    }
+
+    /// Gives the columns back.
+    pub(crate) fn into_columns(self) -> Columns {
+        let Self { origin, next, prev, face, outgoing, boundary, .. } = self;
+        Columns { origin, next, prev, face, outgoing, boundary }
     }
 
     /// All columns.

@@ -11,7 +11,7 @@
 //! | check the invariants | [`violations`], [`Violation`], [`Rule`] |
 //! | count | [`measure()`], [`Counts`], [`components`] |
 //! | compare | [`isomorphic()`], [`IsomorphismOptions`], [`Matching`], [`Difference`] |
-//! | tables, as on slides or from other programs | [`Table`] |
+//! | tables, as on slides or from other programs | [`Table`], [`TableColumns`] |
 
 // The files of this folder:
 //
@@ -23,6 +23,7 @@
 //   orient.rs    which faces to turn round
 //   observe.rs   watching an algorithm
 //   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
+//   table_columns.rs  a table as it comes out of a large file
 //   reads.rs     the reading methods, for structures that hold one
 //   log.rs       a journal of more than pointers           follow.rs   data that follow edits
 //   own.rs       edits that are not in the kit
@@ -49,6 +50,7 @@ mod record;
 mod replay;
 mod seed;
 mod table;
+mod table_columns;
 mod validate;
 mod view;
 mod walk;
@@ -78,6 +80,7 @@ pub(crate) use reads::reads_of_dcel;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
+pub use table_columns::TableColumns;
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 #[doc(hidden)]
 pub use view::Words;

@@ -1,5 +1,8 @@
 //! Faces as lists of corners: what readers produce and builders take.
 
+#[cfg(feature = "io")]
+use std::collections::TryReserveError;
+
 /// Faces given by the numbers of their corners, all in one flat array.
 ///
 /// A face is one outer cycle and any number of inner cycles (holes in the polygon). Faces and vertices are
@@ -45,6 +48,14 @@ impl PolygonList {
             cycle_starts: (0..=n).map(|i| 3 * i).collect(),
             face_starts: (0..=n).collect(),
         }
+    }
+
+    /// Makes room for so many corners and faces more, if there is memory for them.
+    #[cfg(feature = "io")]
+    pub(crate) fn try_reserve(&mut self, corners: usize, faces: usize) -> Result<(), TryReserveError> {
+        self.corners.try_reserve(corners)?;
+        self.cycle_starts.try_reserve(faces)?;
+        self.face_starts.try_reserve(faces)
     }
 
     /// Appends a face with this outer cycle.

@@ -4,6 +4,7 @@
 #![allow(clippy::float_cmp)] // numbers come back exactly
 
 mod bad_input;
+mod columns;
 mod outputs;
 mod round_trips;
 mod segments;

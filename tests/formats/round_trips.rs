@@ -7,7 +7,7 @@ use dcel_kit::io::{
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, View, bounded_cycle};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
-fn written(model: &Model<'_>, format: Format) -> Vec<u8> {
+pub(crate) fn written(model: &Model<'_>, format: Format) -> Vec<u8> {
     let mut bytes = Vec::new();
     write(&mut bytes, model, format).unwrap_or_else(|error| panic!("{format}: {error}"));
     bytes
@@ -137,7 +137,7 @@ fn removed_ids_leave_no_gap_in_polygon_formats() {
 }
 
 /// Every pointer, position and name at random: dangling, missing, contradictory.
-fn random_table(random: &mut Random) -> Table {
+pub(crate) fn random_table(random: &mut Random) -> Table {
     fn id<T>(random: &mut Random, new: impl Fn(u32) -> T) -> Option<T> {
         (random.below(5) > 0).then(|| new(random.below(40) as u32))
     }
@@ -234,7 +234,7 @@ fn a_face_with_300_corners_comes_back_from_ply() {
 }
 
 /// Equality that tells 0 from -0.
-fn same_table(a: &Table, b: &Table) -> bool {
+pub(crate) fn same_table(a: &Table, b: &Table) -> bool {
     let bits = |t: &Table| -> Vec<Option<[u64; 2]>> {
         t.vertices.iter().map(|row| row.and_then(|r| r.position).map(|p| p.map(f64::to_bits))).collect()
     };

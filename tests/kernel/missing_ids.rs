@@ -5,7 +5,9 @@ use dcel_kit::navmesh::{LiveMesh, NavMesh};
 use dcel_kit::plane::{ArrangeOptions, Location, Point, Subdivision, TriangulationMethod};
 use dcel_kit::solid::grow::{pole, quads};
 use dcel_kit::solid::{Direction, Platonic, Polyhedron};
-use dcel_kit::topology::{Dcel, Editing, IdError, NoObserver, NoRecorder, OwnEditError, PolygonList, components};
+use dcel_kit::topology::{
+    Dcel, Editing, IdError, NoObserver, NoRecorder, OwnEditError, PolygonList, TableColumns, components,
+};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -165,6 +167,9 @@ fn topology() -> BTreeSet<&'static str> {
     let others = ["there is no e99: there are 5 edges", "there is no f99: there are 2 faces"];
     let mut tried = t.checked(&[one[0], one[1], others[0], others[1]]);
     tried.insert("of");
+    let columns = TableColumns::default();
+    assert_eq!((columns.position(V), columns.name(F)), (None, None));
+    tried.extend(["position", "name"]);
     tried
 }
 

@@ -29,7 +29,7 @@ pub(crate) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Fail
 pub(crate) fn points_in_space(file: &Path) -> Result<Vec<[f64; 3]>, Failure> {
     match read_path(file, &ReadOptions::default())?.document {
         Document::Polygons(soup) => Ok(soup.points),
-        Document::Segments(_) | Document::Table(_) => {
+        Document::Segments(_) | Document::Table(_) | Document::Columns(_) => {
             let what = format!("{}: this holds points of the plane", source_name(file));
             Err(Failure::input(what, "hulls are made of the points of obj, off, ply and stl"))
         }

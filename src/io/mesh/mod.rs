@@ -41,7 +41,7 @@ use super::text::{Scanner, Syntax};
 
 pub(super) use write::write;
 
-const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
+const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false, separators: false };
 
 /// Reads a `.mesh` file. O(length).
 pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {

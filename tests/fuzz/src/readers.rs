@@ -152,6 +152,7 @@ fn document(data: &[u8], read: Result<Read, ReadError>, whole: bool) -> Outcome 
             table_comes_back(table);
             table.half_edges.len() + table.vertices.len()
         }
+        Document::Columns(_) => unreachable!("columns were not asked for"),
     };
     let mut outcome = Outcome::of(&read.notes.join("\n")).and(Outcome(size.min(4) as u64));
     if size > LARGEST || !whole {
