@@ -20,6 +20,7 @@ use super::super::scratch::Scratch;
 use super::cone::{ALONG, AT_POST, BENT, Beam, ENDS, Node, START};
 use super::ray::{Turn, difference};
 use super::search::{Exact, KnownRoot};
+use super::side::{EdgeOn, Side};
 use crate::plane::Point;
 use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
@@ -34,17 +35,6 @@ struct Behind<'a, R> {
     range: Range<usize>,
 }
 
-/// A side of the room.
-#[derive(Clone, Copy, Debug)]
-struct Side {
-    /// Its number, and that of the next one, which starts at its left end.
-    number: usize,
-    next: usize,
-    /// Its ends, as seen from within the room.
-    right: Corner,
-    left: Corner,
-}
-
 /// What sides are seen from.
 #[derive(Clone, Copy)]
 struct Root {
@@ -57,17 +47,6 @@ struct Root {
 
 /// A ray that continues the line from a root before: that root, and the direction.
 type Limit = (u32, [f64; 2]);
-
-/// A side seen edge-on, the nearest so far of those on its line.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct EdgeOn {
-    /// The root that sees it, and the length of the path to the nearer end.
-    from: u32,
-    length: f64,
-    side: Side,
-    /// Whether the nearer end is the right one: one line at most is seen that way, and one the other.
-    forwards: bool,
-}
 
 /// An endpoint of the portal, round which the path may bend.
 struct Endpoint {
@@ -350,14 +329,6 @@ impl Exact {
         }
         *known = KnownRoot { query, length, from };
         true
-    }
-}
-
-impl Side {
-    /// The places of its ends, the right one first.
-    #[inline]
-    fn endpoints(&self) -> [Point; 2] {
-        [self.right.at, self.left.at]
     }
 }
 

@@ -22,6 +22,7 @@
 //! ```text
 //!   estimate.rs  The shortest length that a path through a cone may have
 //!   expand.rs    From a cone to the cones behind it
+//!   side.rs      The sides of a room
 //!   ray.rs       On which side of a ray a point is
 //! ```
 
@@ -30,6 +31,7 @@ mod estimate;
 mod expand;
 mod ray;
 mod search;
+mod side;
 
 pub use cone::Cone;
 pub(super) use search::Exact;
