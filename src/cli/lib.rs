@@ -208,13 +208,24 @@ fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Er
         command.mut_args(numbers).mut_subcommands(with_numbers)
     }
     let mut command = with_numbers(Cli::command());
-    let mut arguments: Vec<OsString> = arguments.into_iter().collect();
+    let mut arguments: Vec<OsString> = arguments.into_iter().map(plain_number).collect();
     // Help about help: `dcel help --help` is `dcel help`, and `dcel help lab -h` is `dcel help lab`.
     if arguments.get(1).is_some_and(|first| first == "help") {
         arguments.retain(|argument| argument != "--help" && argument != "-h");
     }
     let matches = command.try_get_matches_from_mut(arguments)?;
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
+}
+
+/// A number below zero as the reader of the command line knows them: `-0.00001` for `-1e-05`, `-0.5` for `-.5`; the same
+/// double. What else there is stays as it is.
+fn plain_number(argument: OsString) -> OsString {
+    let is_strange = |text: &&str| {
+        let rest = text.strip_prefix('-').unwrap_or_default();
+        rest.starts_with('.') || (rest.starts_with(|c: char| c.is_ascii_digit()) && rest.contains(['e', 'E']))
+    };
+    let number = argument.to_str().filter(is_strange).and_then(|text| text.parse::<f64>().ok());
+    number.filter(|number| number.is_finite()).map_or(argument, |number| number.to_string().into())
 }
 
 /// Tells why there is no answer, if there is none.

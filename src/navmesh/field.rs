@@ -33,6 +33,15 @@ impl DistanceField {
         }
     }
 
+    /// Makes it the lesser of its distances and of those of another field of the mesh that begins at a distance of `before`:
+    /// from the nearer one of two starts, if that is 0. The limit and the start stay.
+    pub fn join(&mut self, other: &Self, before: f64) {
+        for (v, length) in other.lengths.iter().filter(|(_, length)| length.is_finite()) {
+            self.see(v.number(), before + length);
+        }
+        self.work += other.work;
+    }
+
     /// Where the ways start.
     #[must_use]
     pub fn start(&self) -> &QueryPoint {

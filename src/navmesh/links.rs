@@ -380,12 +380,7 @@ impl Planner {
         for (i, &before) in reached.iter().enumerate().filter(|(_, before)| before.is_finite()) {
             let Stop { layer, ref place } = *node(i);
             let near = self.distance_field(&layers[layer], place, limit - before);
-            fields[layer].work += near.work;
-            for v in (0..layers[layer].vertex_bound() as u32).map(VertexId::new) {
-                if let Some(length) = near.distance(v) {
-                    fields[layer].see(v.number(), before + length);
-                }
-            }
+            fields[layer].join(&near, before);
         }
         Ok(fields)
     }

@@ -86,6 +86,24 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
 }
 
 #[test]
+fn numbers_below_zero_may_be_written_in_any_way() {
+    let folder = Folder::new();
+    for (written, told) in
+        [("-1e-05", "-0.00001"), ("-.5", "-0.5"), ("-1.5E-3", "-0.0015"), ("-2e+1", "-20"), ("-3.", "-3")]
+    {
+        let answer = folder.dcel(&format!("locate square.obj {written} 1")).fine();
+        assert!(answer.starts_with(&format!("({told}, 1)")), "{written}: {answer}");
+    }
+    folder.dcel("locate square.obj --grid -1e-3").fails(2, "--grid", "");
+    // What is no number stays an option.
+    for wrong in ["-1e-x", "-.x", "-e5"] {
+        folder.dcel(&format!("locate square.obj {wrong} 1")).fails(2, "unexpected argument", "");
+    }
+    let told = folder.dcel("build --grid -1e-3 square.obj");
+    assert!(told.code == Some(2) && !told.err.contains("unexpected argument"), "{told:?}");
+}
+
+#[test]
 fn overlays_are_drawn_and_named() {
     let folder = Folder::new();
     folder.write("tiles.obj", "v 3 1\nv 8 1\nv 12.5 8\nv 3 6\nf 1 2 3 4\n");

@@ -39,10 +39,7 @@ fn info_names_every_fault_with_its_place() {
         .write("bad.obj", "v 0 0\nv 1 0\nv 2 0\nv 2 1\nv 1 1\nv 0 1\nv 2 2\nv 0 2\nf 1 2 5 6\nf 2 3 4 5\nf 6 4 7 8\n");
     let told = folder.dcel("navmesh info bad.obj");
     assert_eq!(told.code, Some(1), "{told:?}");
-    assert!(
-        told.out.contains("bad.obj:11: t-junction: T-junction: vertex 4 lies on the side 5 -> 3 of face 2"),
-        "{told:?}"
-    );
+    assert!(told.out.contains("bad.obj:11: T-junction: vertex 4 lies on the side 5 -> 3 of face 2"), "{told:?}");
     assert!(told.out.ends_with("bad.obj: not a navmesh, 1 fault\n"), "{told:?}");
     // Clockwise and concave faces can be mended, and are then.
     folder.write("turned.obj", "v 0 0\nv 4 0\nv 4 4\nv 2 1\nv 0 4\nf 5 4 3 2 1\n");
@@ -190,6 +187,32 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
         way["routes"][0]["length"].as_f64().expect("a length")
     });
     assert!(lengths[0] < lengths[1], "{lengths:?}");
+    // Distances from there count from the nearer of the sides; a line runs into that side in which it gets furthest.
+    let told = folder.dcel("navmesh distances rooms.map 18 14 --json");
+    assert!(told.err.contains("in f25, f28: the nearest of them counts; --start-face chooses one"), "{told:?}");
+    let distances = |face: &str| {
+        let more = if face.is_empty() { String::new() } else { format!(" --start-face {face}") };
+        let answer = folder.dcel(&format!("navmesh distances rooms.map 18 14 --json{more}")).json();
+        let rows = answer["vertices"].as_array().expect("rows").iter();
+        let row = |row: &serde_json::Value| Some((row["vertex"].to_string(), row["distance"].as_f64()?));
+        rows.filter_map(row).collect::<std::collections::BTreeMap<_, _>>()
+    };
+    let [both, one, other] = ["", "f25", "f28"].map(distances);
+    assert!(one != other && both != one && both.len() == one.len(), "{both:?}");
+    for (vertex, least) in &both {
+        assert_eq!(*least, one[vertex].min(other[vertex]), "{vertex}");
+    }
+    for (to, face, hit) in [("18 1", "f25", Some(3.0)), ("16 15.5", "f28", None)] {
+        let told = folder.dcel(&format!("navmesh raycast rooms.map 18 14 {to} --json"));
+        assert!(told.err.contains(&format!("in f25, f28: the line gets furthest in {face}; --start-face")), "{told:?}");
+        assert_eq!(told.json()["hit"]["distance"].as_f64(), hit, "{to}");
+        for side in ["f25", "f28"] {
+            let answer =
+                folder.dcel(&format!("navmesh raycast rooms.map 18 14 {to} --start-face {side} --json")).json();
+            let expected = if side == face { hit } else { Some(0.0) };
+            assert_eq!(answer["hit"]["distance"].as_f64(), expected, "{to} in {side}");
+        }
+    }
     folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f1").fails(2, "f1 is no free face", "--start-face out");
     folder.dcel("navmesh path rooms.map 18 14 1 1 --radius 0.2").fails(2, "nearer to a border", "the nearest place is");
     let here = folder.dcel("navmesh path rooms.map 1 1 1 1 --algorithm all --json").json();
@@ -242,8 +265,14 @@ fn ends_off_the_mesh_are_moved_on_request_and_drawn_all_the_same() {
         );
         let told = folder.dcel(&format!("navmesh {command} --snap 0.5 --json"));
         assert!(told.err.contains("moved by 0.5 to (2.5, 2) in f1"), "{told:?}");
-        assert_eq!(told.json()["start"], json!([2.5, 2.0]), "{command}");
+        let answer = told.json();
+        assert_eq!((&answer["start"], &answer["start_moved"]), (&json!([2.5, 2.0]), &json!(0.5)), "{command}");
+        let there = folder.dcel(&format!("navmesh {} --json", command.replace("2.5 2.5", "2.5 2"))).json();
+        assert_eq!(there["start_moved"], json!(null), "{command}");
     }
+    let linked = folder.dcel("navmesh path rooms.map 2.5 2.5 1 1 --snap 1 --link 5,1,9,1,1 --json").json();
+    assert_eq!((&linked["start_moved"], &linked["goal_moved"]), (&json!(0.5), &json!(null)), "{linked}");
+    assert_eq!(linked["start"]["point"], json!([2.5, 2.0]), "{linked}");
     let told = folder.dcel("navmesh locate rooms.map 1e300 3").fine();
     assert!(told.contains("the nearest place is (26, 3)"), "{told}");
     // Every end of a file of queries.

@@ -5,14 +5,15 @@ use super::super::failure::Failure;
 use super::super::output::{point as told, table};
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::ends::{Snap, Wish};
+use super::ends::{End, Snap, Wish};
 use super::extras::{CostArgs, LinkArgs};
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
+use super::routes::{ON_SIDES, from_each};
 use super::space;
 use super::tell::{faces, point};
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::{Planner, Stop};
+use dcel_kit::navmesh::{DistanceField, Planner, Stop};
 use dcel_kit::{FaceId, VertexId};
 use std::io::Write;
 
@@ -20,7 +21,8 @@ use std::io::Write;
 ///
 /// With --limit: what can be reached within a length: vertices, and faces all of whose corners can be
 /// reached; a face of which a part only is within the limit does not count, that of the start neither.
-/// With --cost: how much it costs to get there, by
+/// From a start where holes touch, or on a wall, the nearest of its sides
+/// counts. With --cost: how much it costs to get there, by
 /// paths that pass the sides of faces at their ends and six points between: never less than the least
 /// cost, and a few per cent more at most.
 #[derive(clap::Args, Debug)]
@@ -80,19 +82,29 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let map = args.map.open_draft(draft, args.costs.areas())?;
     let wish = Wish { what: "start", coordinates: [x, y], face: args.start_face };
-    let place = args.snap.the_place(&map, &wish)?;
-    let start = place.point;
+    let End { asked, places, moved } = args.snap.wished(&map, &wish)?;
+    from_each(&point(&map, asked), ON_SIDES, places.iter().map(|place| place.face));
+    let start = places.first().map_or(asked, |place| place.point);
     let links = args.links.links(&map)?;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let layers = std::slice::from_ref(&map.mesh);
-    let fields = match map.costs(args.costs.areas())? {
-        Some(costs) => {
-            Planner::new().weighted_distance_field(&map.mesh, &costs, &links, &place, limit).map(|field| vec![field])
+    let costs = map.costs(args.costs.areas())?;
+    let mut nearest: Option<DistanceField> = None;
+    for place in places {
+        let fields = match &costs {
+            Some(costs) => {
+                Planner::new().weighted_distance_field(&map.mesh, costs, &links, &place, limit).map(|field| vec![field])
+            }
+            None => Planner::new().linked_distance_field(layers, &links, &Stop { layer: 0, place }, limit),
+        };
+        for field in fields.map_err(|error| Failure::about(&map.source, error))? {
+            match &mut nearest {
+                Some(nearest) => nearest.join(&field, 0.0),
+                None => nearest = Some(field),
+            }
         }
-        None => Planner::new().linked_distance_field(layers, &links, &Stop { layer: 0, place }, limit),
-    };
-    let fields = fields.map_err(|error| Failure::about(&map.source, error))?;
-    let [field] = &fields[..] else { return Err(Failure::kit("one layer has one field")) };
+    }
+    let field = &nearest.ok_or_else(|| Failure::kit("a start has a place"))?;
     if let Some(target) = &target {
         let options = target.options(&map, &format!("Distances in {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).reach(field, &options), out)?;
@@ -104,6 +116,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let answer = fields! {
         source: map.source.clone(),
         start: map.in_file(start),
+        start_moved: moved,
         limit: args.limit,
         vertices: (0..map.mesh.vertex_bound() as u32).map(VertexId::new).filter_map(row).collect::<Vec<_>>(),
         // Of which every corner is within the limit.

@@ -81,18 +81,9 @@ impl Snap {
         })
     }
 
-    /// The one place that is wished for.
-    pub(super) fn the_place(&self, map: &Map, wish: &Wish<'_>) -> Result<QueryPoint, Failure> {
-        let end = self.end(map, wish, |_| None).map_err(|lost| lost.failure)?;
-        if let [place] = end.places[..] {
-            return Ok(place);
-        }
-        // Where holes touch, or at a wall, a face has to be named.
-        map.mesh.place(end.asked).map_err(|error| {
-            let faces: Vec<String> = end.places.iter().map(|place| place.face.to_string()).collect();
-            let help = format!("say which with --{}-face {}", wish.what, faces.join(" or "));
-            Failure::input(format!("{}: the {} {}", map.source, wish.what, refusal(map, &error)), help)
-        })
+    /// The end that is wished for, or why there is none.
+    pub(super) fn wished(&self, map: &Map, wish: &Wish<'_>) -> Result<End, Failure> {
+        self.end(map, wish, |_| None).map_err(|lost| lost.failure)
     }
 
     /// The nearest place, if it is near enough.

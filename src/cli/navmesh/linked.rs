@@ -6,7 +6,7 @@ use super::super::output::point as told;
 use super::super::{Answer, Output};
 use super::map::Map;
 use super::routes::{Linked, tell_linked};
-use super::tell::point;
+use super::tell::{Spot, point};
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, PathAlgorithm, Planner, QueryPoint, Stop};
 
@@ -16,7 +16,7 @@ pub(super) fn run(
     planner: &mut Planner,
     algorithm: PathAlgorithm,
     (links, costs): (&[Link], Option<&FaceMap<f64>>),
-    ends: [QueryPoint; 2],
+    (ends, moved): ([QueryPoint; 2], [Option<f64>; 2]),
     json: bool,
     out: &mut Output,
 ) -> Result<(Answer, Option<LinkedRoute>), Failure> {
@@ -52,6 +52,7 @@ pub(super) fn run(
         let [from, to] = between([start, goal]);
         format!("the map nor the links lead from {from} to {to}")
     };
-    let answer = tell_linked((&map.source, json), algorithm, linked.as_ref(), (link, none), out)?;
+    let spots = ends.map(|place| Spot::of(map, place.point, place.location));
+    let answer = tell_linked((&map.source, json), algorithm, (spots, moved), linked.as_ref(), (link, none), out)?;
     Ok((answer, path))
 }

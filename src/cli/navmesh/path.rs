@@ -9,7 +9,7 @@ use super::extras::Extras;
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
-use super::routes::{Row, answer, choose, tell};
+use super::routes::{ON_SIDES, Row, answer, choose, tell};
 use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
@@ -220,7 +220,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let costs = map.costs(args.extras.areas())?;
     let links = args.extras.links().links(map)?;
     if !links.is_empty() {
-        return linked(args, map, &mut planner, (&links, costs.as_ref()), [start, goal], target.as_ref(), out);
+        return linked(args, map, &mut planner, (&links, costs.as_ref()), ([start, goal], moved), target.as_ref(), out);
     }
     let mut routes: Vec<(PathAlgorithm, Route)> = Vec::new();
     for &algorithm in args.algorithm.algorithms() {
@@ -256,7 +256,7 @@ fn linked(
     map: &Map,
     planner: &mut Planner,
     (links, costs): (&[Link], Option<&FaceMap<f64>>),
-    ends: [QueryPoint; 2],
+    ends: ([QueryPoint; 2], [Option<f64>; 2]),
     target: Option<&Canvas>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
@@ -314,7 +314,7 @@ impl Maps {
         let [start, goal] = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
         let (starts, goals) = (start.2, goal.2);
         let shortest = || Some(planner.route_among(&map.mesh, PathAlgorithm::Exact, starts, goals).ok()?.1);
-        choose(&[start, goal], "on several sides of a border", |place| place.face, shortest)
+        choose(&[start, goal], ON_SIDES, |place| place.face, shortest)
     }
 
     /// The answer with these routes, or with what lies apart.

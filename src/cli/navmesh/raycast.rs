@@ -4,10 +4,11 @@ use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::ends::{Snap, Wish};
+use super::ends::{End, Snap, Wish};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
+use super::routes::{ON_SIDES, furthest};
 use super::space;
 use super::tell::{faces, point};
 use dcel_kit::figure::navmesh::Floor;
@@ -17,7 +18,8 @@ use std::io::Write;
 /// Tell what a straight line runs against first
 ///
 /// Whether and which wall is hit is decided exactly. Running along a wall, or past a corner that the
-/// line touches, is allowed, as it is for a path.
+/// line touches, is allowed, as it is for a path. A start where holes touch, or on a wall, is on several
+/// sides: the line that gets furthest counts.
 ///
 /// On a floor in space whose heights differ (--up) the line is straight in the plan and follows the
 /// surface from face to face, up and down ramps; its length is that along the surface. It never leaps
@@ -64,10 +66,17 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let map = args.map.open_draft(draft, &[])?;
     let wish = Wish { what: "start", coordinates: [x0, y0], face: args.start_face };
-    let place = args.snap.the_place(&map, &wish)?;
-    let [start, end] = [place.point, map.point([x1, y1])];
-    let cast = map.mesh.raycast_from(&place, end);
-    let cast = cast.map_err(|error| Failure::about(&map.source, error))?;
+    let End { asked, places, moved } = args.snap.wished(&map, &wish)?;
+    let end = map.point([x1, y1]);
+    let mut casts = Vec::new();
+    for place in places {
+        let cast = map.mesh.raycast_from(&place, end).map_err(|error| Failure::about(&map.source, error))?;
+        casts.push((place, cast));
+    }
+    let reach = |cast: &Raycast| cast.hit.map_or(f64::INFINITY, |hit| hit.distance);
+    let best = furthest((&point(&map, asked), ON_SIDES), casts, |place| place.face, reach);
+    let (place, cast) = best.ok_or_else(|| Failure::kit("a start has a place"))?;
+    let start = place.point;
     if let Some(target) = &target {
         let options = target.options(&map, &format!("A ray through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).ray([start, end], &cast, &options), out)?;
@@ -84,7 +93,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         });
         let faces: Vec<String> = cast.faces.iter().map(ToString::to_string).collect();
         let [start, end] = [start, end].map(|p| map.in_file(p));
-        out.json(&fields! { source: map.source, start, end, clear: hit.is_none(), hit, faces })?;
+        out.json(&fields! { source: map.source, start, start_moved: moved, end, clear: hit.is_none(), hit, faces })?;
     } else {
         tell(&map, [start, end], &cast, out)?;
     }

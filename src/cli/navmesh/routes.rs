@@ -137,6 +137,45 @@ pub(super) fn answer<S: Serialize, A: Serialize>(
     }
 }
 
+/// Of the answers from several places at a start the one that reaches furthest, the first of equal ones, with its place.
+/// Tells which.
+pub(super) fn furthest<P, A>(
+    (start, why): (&str, &str),
+    answers: Vec<(P, A)>,
+    face: impl Fn(&P) -> FaceId,
+    reach: impl Fn(&A) -> f64,
+) -> Option<(P, A)> {
+    let faces: Vec<String> = answers.iter().map(|(place, _)| face(place).to_string()).collect();
+    let further = |best: (P, A), other: (P, A)| if reach(&other.1) > reach(&best.1) { other } else { best };
+    let best = answers.into_iter().reduce(further)?;
+    if faces.len() > 1 {
+        let (all, face) = (faces.join(", "), face(&best.0));
+        say(
+            "note",
+            format_args!(
+                "the start {start} is {why}, in {all}: the line gets furthest in {face}; --start-face chooses"
+            ),
+        );
+    }
+    Some(best)
+}
+
+/// Tells that distances count from each of several places at a start.
+pub(super) fn from_each(start: &str, why: &str, faces: impl ExactSizeIterator<Item = FaceId>) {
+    if faces.len() > 1 {
+        let faces: Vec<String> = faces.map(|face| face.to_string()).collect();
+        let all = faces.join(", ");
+        say(
+            "note",
+            format_args!("the start {start} is {why}, in {all}: the nearest of them counts; --start-face chooses one"),
+        );
+    }
+}
+
+/// Why a point of a map is several places, and one of a surface.
+pub(super) const ON_SIDES: &str = "on several sides of a border";
+pub(super) const WHERE_FACES_TOUCH: &str = "where faces touch in a vertex";
+
 /// Of several places at the ends of a path those of the shortest one. Tells which, and why there are several.
 pub(super) fn choose<P: Copy>(
     ends: &[(&str, String, &[P]); 2],
@@ -173,9 +212,10 @@ pub(super) struct Linked<'a, L> {
 }
 
 /// Tells a path over links, if there is one: else there is none `from ... to ...`. A link is named by its ends.
-pub(super) fn tell_linked<L: Serialize>(
+pub(super) fn tell_linked<L: Serialize, S: Serialize>(
     (source, json): (&str, bool),
     algorithm: PathAlgorithm,
+    ([start, goal], [start_moved, goal_moved]): ([S; 2], [Option<f64>; 2]),
     path: Option<&Linked<'_, L>>,
     (link, none): (impl Fn(usize) -> String, impl FnOnce() -> String),
     out: &mut Output,
@@ -185,7 +225,8 @@ pub(super) fn tell_linked<L: Serialize>(
         let legs: Vec<&L> = path.iter().flat_map(|path| &path.legs).map(|(leg, _)| leg).collect();
         let (cost, links) = (path.map(|path| path.cost), path.map_or(&[][..], |path| path.links));
         let algorithm = algorithm.name();
-        out.json(&fields! { source, algorithm, found: path.is_some(), cost, legs, links })?;
+        let found = path.is_some();
+        out.json(&fields! { source, algorithm, start, goal, start_moved, goal_moved, found, cost, legs, links })?;
         return Ok(answer);
     }
     let Some(Linked { cost, legs, links }) = path else {

@@ -124,6 +124,10 @@ impl Told {
 
     pub(super) fn print(&self, out: &mut Output) -> io::Result<()> {
         let kind = if self.warning { "warning" } else { self.kind };
+        // Some sentences begin with the kind themselves.
+        if self.message.get(..kind.len()).is_some_and(|start| start.eq_ignore_ascii_case(kind)) {
+            return writeln!(out, "{}: {}", self.place, self.message);
+        }
         writeln!(out, "{}: {kind}: {}", self.place, self.message)
     }
 }
@@ -137,6 +141,9 @@ fn help(fault: &MeshFault, coordinates_only: bool) -> Option<&'static str> {
         }
         "t-junction" | "same-place" => Some("--weld 0 joins vertices at one place and puts corners into sides"),
         "overlap" | "winding" if coordinates_only => Some("--mend cuts the polygons where they meet"),
+        "overlap" => {
+            Some("no option takes faces of numbered corners apart that overlap: cut one of them, or leave it out")
+        }
         _ => None,
     }
 }

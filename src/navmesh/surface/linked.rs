@@ -105,10 +105,10 @@ impl SurfacePlanner {
         let mut whole: Option<SurfaceField> = None;
         for (i, &before) in reached.iter().enumerate().filter(|(_, before)| before.is_finite()) {
             let field = self.distance_field(surface, node(links, start, i), limit - before);
-            whole = Some(match whole {
-                Some(whole) => whole.joined(&field, before),
-                None => field,
-            });
+            match &mut whole {
+                Some(whole) => whole.join(&field, before),
+                None => whole = Some(field),
+            }
         }
         Ok(whole.unwrap_or_else(|| self.distance_field(surface, start, limit)))
     }

@@ -57,12 +57,12 @@ impl SurfaceField {
         self.lengths.get(v).copied().filter(|length| length.is_finite())
     }
 
-    /// The lesser of the distances of this field and of another one that begins at a distance of `before`.
-    pub(super) fn joined(mut self, other: &Self, before: f64) -> Self {
-        for v in (0..other.lengths.len() as u32).map(VertexId::new) {
-            self.lengths[v] = self.lengths[v].min(before + other.lengths[v]);
+    /// Makes it the lesser of its distances and of those of another field of the surface that begins at a distance of
+    /// `before`: from the nearer one of two starts, if that is 0.
+    pub fn join(&mut self, other: &Self, before: f64) {
+        for (v, length) in other.lengths.iter() {
+            self.lengths[v] = self.lengths[v].min(before + length);
         }
         self.work += other.work;
-        self
     }
 }

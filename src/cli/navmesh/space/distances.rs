@@ -6,10 +6,11 @@ use super::super::super::output::{point as told, table};
 use super::super::super::{Answer, Output};
 use super::super::distances::Args;
 use super::super::drawing::{Canvas, save};
-use super::{Ground, Wish};
+use super::super::routes::{WHERE_FACES_TOUCH, from_each};
+use super::{End, Ground, Wish};
 use dcel_kit::VertexId;
 use dcel_kit::figure::navmesh::Storeys;
-use dcel_kit::navmesh::SurfacePlanner;
+use dcel_kit::navmesh::{SurfacePlanner, SurfacePoint};
 use std::collections::BTreeMap;
 use std::io::Write;
 
@@ -21,14 +22,23 @@ pub(in super::super) fn run(
 ) -> Result<Answer, Failure> {
     let surface = &ground.surface;
     let wish = Wish { what: "start", numbers: &args.start, layer: args.start_layer, face: args.start_face };
-    let start = ground.end(&wish, &args.snap)?.places[0];
+    let End { places, moved } = ground.end(&wish, &args.snap)?;
+    from_each(&told(&args.start), WHERE_FACES_TOUCH, places.iter().map(|place| place.face));
+    let start = places[0];
     let links = args.links.on(ground, &args.snap)?;
     let limit = args.limit.unwrap_or(f64::INFINITY);
-    let field = match ground.costs(args.costs.areas())? {
-        Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, &costs, &links, &start, limit),
-        None => SurfacePlanner::new().linked_distance_field(surface, &links, &start, limit),
+    let costs = ground.costs(args.costs.areas())?;
+    let from = |start: &SurfacePoint| {
+        let field = match &costs {
+            Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, costs, &links, start, limit),
+            None => SurfacePlanner::new().linked_distance_field(surface, &links, start, limit),
+        };
+        field.map_err(|error| Failure::about(&ground.source, error))
     };
-    let field = field.map_err(|error| Failure::about(&ground.source, error))?;
+    let mut field = from(&start)?;
+    for other in &places[1..] {
+        field.join(&from(other)?, 0.0);
+    }
     if let Some(target) = target {
         let options = ground.options(target, &format!("Distances on {}", args.map.title()));
         save(target, Storeys::new(surface).reach(&field, &start, &options), out)?;
@@ -41,6 +51,7 @@ pub(in super::super) fn run(
     let answer = fields! {
         source: &ground.source,
         start: ground.in_file(start.point),
+        start_moved: moved,
         limit: args.limit,
         vertices: vertices.iter().filter_map(row).collect::<Vec<_>>(),
         // Of which every corner is within the limit.

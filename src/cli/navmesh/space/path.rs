@@ -5,7 +5,7 @@ use super::super::super::output::point as told;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::path::Args;
-use super::super::routes::{Linked, Row, answer, choose, tell, tell_linked};
+use super::super::routes::{Linked, Row, WHERE_FACES_TOUCH, answer, choose, tell, tell_linked};
 use super::super::tell::faces;
 use super::{Ground, Wish, points_of};
 use dcel_kit::FaceMap;
@@ -33,12 +33,12 @@ pub(in super::super) fn run(
     let [start, goal] = [0, 1].map(|i| (wishes[i].what, told(wishes[i].numbers), ends[i].places.as_slice()));
     let (starts, goals) = (start.2, goal.2);
     let shortest = || Some(planner.route_among(surface, PathAlgorithm::Exact, starts, goals).ok()?.1);
-    let [start, goal] = choose(&[start, goal], "where faces touch in a vertex", |place| place.face, shortest);
+    let [start, goal] = choose(&[start, goal], WHERE_FACES_TOUCH, |place| place.face, shortest);
     let moved = ends.map(|end| end.moved);
     let costs = ground.costs(args.extras.areas())?;
     let links = args.extras.links().on(ground, &args.snap)?;
     if !links.is_empty() {
-        return linked(ground, &mut planner, (args, target), costs.as_ref(), &links, [start, goal], out);
+        return linked(ground, &mut planner, (args, target), costs.as_ref(), &links, ([start, goal], moved), out);
     }
     let mut routes: Vec<(PathAlgorithm, SurfaceRoute)> = Vec::new();
     for &algorithm in args.algorithm.algorithms() {
@@ -109,7 +109,7 @@ fn linked(
     (args, target): (&Args, Option<&Canvas>),
     costs: Option<&FaceMap<f64>>,
     links: &[SurfaceLink],
-    [start, goal]: [SurfacePoint; 2],
+    ([start, goal], moved): ([SurfacePoint; 2], [Option<f64>; 2]),
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let algorithm = args.over_links()?;
@@ -142,7 +142,8 @@ fn linked(
         let [from, to] = between([start, goal]);
         format!("the surface nor the links lead from {from} to {to}")
     };
-    tell_linked((&ground.source, args.json), algorithm, linked.as_ref(), (link, none), out)
+    let spots = [start, goal].map(|place| ground.spot(&place));
+    tell_linked((&ground.source, args.json), algorithm, (spots, moved), linked.as_ref(), (link, none), out)
 }
 
 fn row(

@@ -6,10 +6,11 @@ use super::super::super::output::point as told;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::raycast::Args;
+use super::super::routes::{WHERE_FACES_TOUCH, furthest};
 use super::super::tell::faces;
-use super::{Ground, Wish, points_of};
+use super::{End, Ground, Wish, points_of};
 use dcel_kit::figure::navmesh::Storeys;
-use dcel_kit::navmesh::SurfaceRoute;
+use dcel_kit::navmesh::{SurfaceRaycast, SurfaceRoute};
 use std::io::Write;
 
 pub(in super::super) fn run(
@@ -20,10 +21,17 @@ pub(in super::super) fn run(
 ) -> Result<Answer, Failure> {
     let points = points_of(&args.ends, 2, true)?;
     let wish = Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face };
-    let start = ground.end(&wish, &args.snap)?.places[0];
+    let End { places, moved } = ground.end(&wish, &args.snap)?;
     let (to, _) = ground.point(points[1]);
-    let cast = ground.surface.raycast(&start, to);
-    let cast = cast.map_err(|error| Failure::input(format!("{}: the end of the line: {error}", ground.source), ""))?;
+    let mut casts = Vec::new();
+    for start in places {
+        let cast = ground.surface.raycast(&start, to);
+        let refused = |error| Failure::input(format!("{}: the end of the line: {error}", ground.source), "");
+        casts.push((start, cast.map_err(refused)?));
+    }
+    let reach = |cast: &SurfaceRaycast| if cast.hit.is_some() { cast.length } else { f64::INFINITY };
+    let best = furthest((&told(points[0]), WHERE_FACES_TOUCH), casts, |place| place.face, reach);
+    let (start, cast) = best.ok_or_else(|| Failure::kit("a start has a place"))?;
     let end = cast.points.last().copied().unwrap_or(start.point);
     if let Some(target) = target {
         let options = ground.options(target, &format!("A ray over {}", args.map.title()));
@@ -41,6 +49,7 @@ pub(in super::super) fn run(
     let answer = fields! {
         source: &ground.source,
         start: ground.in_file(start.point),
+        start_moved: moved,
         end: ground.in_file(end),
         clear: cast.hit.is_none(),
         hit: cast.hit.map(|hit| fields! {
