@@ -8,10 +8,15 @@
 
 /// Whether there is a second thread: else work need not be prepared for it.
 pub(crate) fn are_many() -> bool {
+    count() > 1
+}
+
+/// How many threads there are.
+pub(crate) fn count() -> usize {
     #[cfg(feature = "parallel")]
-    return rayon::current_num_threads() > 1;
+    return rayon::current_num_threads();
     #[cfg(not(feature = "parallel"))]
-    return false;
+    return 1;
 }
 
 /// Both pieces of work.

@@ -16,7 +16,7 @@
 //! Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions and the computation of
 //! Voronoi diagrams*, 1985.
 
-use super::halves::{Half, Halves};
+use super::halves::Halves;
 use super::order::{Axis, Ordered, Site, middle};
 use crate::geometry::predicates::{in_circle, orientation};
 use crate::geometry::threads;
@@ -26,31 +26,34 @@ use std::cmp::Ordering;
 
 /// A finished triangulation: half-edges whose origins are places in the order, and one of the outline.
 pub(super) struct Divided {
-    pub(super) half: Vec<Half>,
+    pub(super) halves: Halves,
     pub(super) outer: u32,
 }
 
-/// Parts with more points than this are shared by two threads. The edges get the numbers that one thread would give them:
+/// Parts with more points than this, and than a quarter of what each thread has, are shared by two threads. The edges get the numbers that one thread would give them:
 /// no half leaves gaps (see [`Work::rise`]).
-const LARGE: u32 = 1 << 15;
+const LARGE: usize = 1 << 15;
 
-/// Triangulates at least two distinct points. Points on one line become a path.
-pub(super) fn divide_and_conquer(ordered: &Ordered) -> Divided {
+/// Triangulates distinct points, if there are two or more. Points on one line become a path.
+pub(super) fn divide_and_conquer(ordered: &Ordered) -> Option<Divided> {
     let count = ordered.sites.len() as u32;
+    if count < 2 {
+        return None;
+    }
     let stage = Stage::new("triangulating", count as usize);
-    let (work, part) = whole(&ordered.sites, &stage, 0, count, count);
+    let (mut work, part) = whole(&ordered.sites, &stage, 0, count, count);
     stage.set(count as usize);
     let outer = match part {
         Part::Edges(outer) => outer,
         Part::Point(_) => 0,
     };
-    let (half, outer) = work.halves.without_gaps(outer);
-    Divided { half, outer }
+    let outer = work.halves.fill_gaps(outer);
+    Some(Divided { halves: work.halves, outer })
 }
 
 /// The points from `low` to `high`, with half-edges of their own, and room for those of `room` points.
 fn whole<'a>(sites: &'a [Site], stage: &'a Stage, low: u32, high: u32, room: u32) -> (Work<'a>, Part) {
-    let shared = threads::are_many() && high - low > LARGE;
+    let shared = threads::are_many() && (high - low) as usize > (sites.len() / (4 * threads::count())).max(LARGE);
     let Some((cut, axis)) = shared.then(|| highest_bit(sites, low, high)).flatten() else {
         let mut work = Work { sites, stage, halves: Halves::with_room(3 * room as usize) };
         let part = work.by_key(low, high);

@@ -8,17 +8,12 @@
 //!    g2 ──<── ● ──<── p2                g2 ──<── ● ──<── p2
 //! ```
 
-/// A half-edge. Its twin is h ^ 1, as everywhere.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Half {
-    pub(super) origin: u32,
-    pub(super) next: u32,
-    pub(super) prev: u32,
-}
-
-/// A growing set of half-edges. Removed edges leave their place to the next one that is made.
+/// A growing set of half-edges, in the columns of the finished structure. The twin of h is h ^ 1, as everywhere. Removed edges
+/// leave their place to the next one that is made.
 pub(super) struct Halves {
-    half: Vec<Half>,
+    pub(super) origin: Vec<u32>,
+    pub(super) next: Vec<u32>,
+    pub(super) prev: Vec<u32>,
     /// Removed edges.
     free: Vec<u32>,
 }
@@ -26,12 +21,13 @@ pub(super) struct Halves {
 impl Halves {
     /// No edge yet, and room for so many.
     pub(super) fn with_room(edges: usize) -> Self {
-        Self { half: Vec::with_capacity(2 * edges), free: Vec::new() }
+        let [origin, next, prev] = [(); 3].map(|()| Vec::with_capacity(2 * edges));
+        Self { origin, next, prev, free: Vec::new() }
     }
 
     #[inline]
     pub(super) fn origin(&self, h: u32) -> u32 {
-        self.half[h as usize].origin
+        self.origin[h as usize]
     }
 
     #[inline]
@@ -41,12 +37,12 @@ impl Halves {
 
     #[inline]
     pub(super) fn next(&self, h: u32) -> u32 {
-        self.half[h as usize].next
+        self.next[h as usize]
     }
 
     #[inline]
     pub(super) fn prev(&self, h: u32) -> u32 {
-        self.half[h as usize].prev
+        self.prev[h as usize]
     }
 
     /// The next half-edge counter-clockwise round the origin of `h`.
@@ -63,22 +59,29 @@ impl Halves {
 
     #[inline]
     fn link(&mut self, h: u32, next: u32) {
-        self.half[h as usize].next = next;
-        self.half[next as usize].prev = h;
+        self.next[h as usize] = next;
+        self.prev[next as usize] = h;
     }
 
     /// A new edge from `a` to `b` that touches nothing else; returns the half that starts at `a`.
     #[inline]
     pub(super) fn edge(&mut self, a: u32, b: u32) -> u32 {
-        let h = self.free.pop().map_or(self.half.len() as u32, |e| 2 * e);
-        let [there, back] = [(a, h ^ 1), (b, h)].map(|(origin, other)| Half { origin, next: other, prev: other });
-        if h as usize == self.half.len() {
-            self.half.extend([there, back]);
-        } else {
-            self.half[h as usize] = there;
-            self.half[h as usize | 1] = back;
+        match self.free.pop() {
+            None => {
+                let h = self.origin.len() as u32;
+                self.origin.extend([a, b]);
+                self.next.extend([h ^ 1, h]);
+                self.prev.extend([h ^ 1, h]);
+                h
+            }
+            Some(edge) => {
+                let h = 2 * edge;
+                (self.origin[h as usize], self.origin[h as usize | 1]) = (a, b);
+                self.link(h, h ^ 1);
+                self.link(h ^ 1, h);
+                h
+            }
         }
-        h
     }
 
     /// A new edge from the origin of `g1` to that of `g2`, in the corners before them. Returns its half that
@@ -116,22 +119,23 @@ impl Halves {
     /// Takes over the half-edges of another set, which touch none of these; each gets the number that is returned more.
     /// O(those of the other set).
     pub(super) fn append(&mut self, other: Self) -> u32 {
-        let shift = self.half.len() as u32;
-        let shifted = |half: Half| Half { next: half.next + shift, prev: half.prev + shift, ..half };
-        self.half.extend(other.half.into_iter().map(shifted));
+        let shift = self.origin.len() as u32;
+        self.origin.extend(other.origin);
+        self.next.extend(other.next.into_iter().map(|h| h + shift));
+        self.prev.extend(other.prev.into_iter().map(|h| h + shift));
         self.free.extend(other.free.into_iter().map(|edge| edge + shift / 2));
         shift
     }
 
-    /// All half-edges without gaps: the last edges move into the places of removed ones. `keep` is a half-edge;
-    /// returned with its number afterwards. O(removed edges log).
-    pub(super) fn without_gaps(mut self, mut keep: u32) -> (Vec<Half>, u32) {
+    /// Fills the gaps: the last edges move into the places of removed ones. `keep` is a half-edge; returned is its number
+    /// afterwards. O(removed edges log).
+    pub(super) fn fill_gaps(&mut self, mut keep: u32) -> u32 {
         let mut free = std::mem::take(&mut self.free);
         free.sort_unstable();
         // Gaps from the front, to be filled; at the end, to be cut off.
         let (mut first, mut end) = (0, free.len());
         while first < end {
-            let last = self.half.len() as u32 / 2 - 1;
+            let last = self.origin.len() as u32 / 2 - 1;
             if free[end - 1] == last {
                 end -= 1;
             } else {
@@ -143,15 +147,17 @@ impl Halves {
                 }
                 first += 1;
             }
-            self.half.truncate(2 * last as usize);
+            for column in [&mut self.origin, &mut self.next, &mut self.prev] {
+                column.truncate(2 * last as usize);
+            }
         }
-        (self.half, keep)
+        keep
     }
 
     /// Gives a half-edge another number.
     fn move_half(&mut self, from: u32, to: u32) {
-        let Half { origin, next, prev } = self.half[from as usize];
-        self.half[to as usize].origin = origin;
+        let (next, prev) = (self.next(from), self.prev(from));
+        self.origin[to as usize] = self.origin(from);
         self.link(to, if next == from { to } else { next });
         self.link(if prev == from { to } else { prev }, to);
     }
@@ -171,12 +177,9 @@ mod tests {
         halves.remove(first);
         halves.remove(third);
         // The second edge is alone now, and the last one, too; it moves to the front.
-        let (half, keep) = halves.without_gaps(fourth ^ 1);
-        assert_eq!((half.len(), keep), (4, 1));
-        assert_eq!([0, 1, 2, 3].map(|h: usize| half[h].origin), [3, 4, 1, 2]);
-        for (h, record) in half.iter().enumerate() {
-            assert_eq!((record.next as usize, record.prev as usize), (h ^ 1, h ^ 1));
-        }
+        assert_eq!(halves.fill_gaps(fourth ^ 1), 1);
+        assert_eq!(halves.origin, [3, 4, 1, 2]);
+        assert_eq!((halves.next, halves.prev), (vec![1, 0, 3, 2], vec![1, 0, 3, 2]));
         assert_eq!(second, 2);
     }
 }

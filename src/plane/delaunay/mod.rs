@@ -25,10 +25,11 @@ pub use constrained::ConstrainedDelaunay;
 pub use lawson::FlipEvent;
 
 use super::{CoordinateError, Point, Subdivision};
-use crate::geometry::threads::{both, pieces_of};
+use crate::geometry::threads::{both, pieces};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 use divide::{Divided, divide_and_conquer};
+use halves::Halves;
 use order::{Ordered, ordered};
 
 /// Why points have no Delaunay triangulation.
@@ -101,14 +102,18 @@ impl Subdivision {
             point.check().map_err(|error| DelaunayError::Coordinate { point: i as u32, error })?;
         }
         let ordered = ordered(points);
-        let vertices = numbered(points.len(), &ordered);
-        let mut places = vec![Point::default(); ordered.sites.len()];
-        for (i, v) in vertices.iter().enumerate().rev() {
-            // From the last on, so that the first of equal points stays: it may differ in the sign of a zero.
-            places[v.index()] = points[i];
-        }
-        let names: Vec<u32> = ordered.sites.iter().map(|site| vertices[site.index as usize].number()).collect();
-        let subdivision = assembled(&ordered, &names, places.into());
+        let named = || {
+            let vertices = numbered(points.len(), &ordered);
+            let mut places = vec![Point::default(); ordered.sites.len()];
+            for (i, v) in vertices.iter().enumerate().rev() {
+                // From the last on, so that the first of equal points stays: it may differ in the sign of a zero.
+                places[v.index()] = points[i];
+            }
+            let names: Vec<u32> = ordered.sites.iter().map(|site| vertices[site.index as usize].number()).collect();
+            (vertices, names, places)
+        };
+        let (divided, (vertices, names, places)) = both(|| divide_and_conquer(&ordered), named);
+        let subdivision = assembled(divided, &names, places.into());
         Ok(DelaunayBuilt { subdivision, vertices, repeated: ordered.repeated })
     }
 }
@@ -129,11 +134,11 @@ fn numbered(count: usize, ordered: &Ordered) -> Vec<VertexId> {
     vertices
 }
 
-/// The triangulation of ordered points, whose vertices have the given numbers and places. Numbers without a point
-/// become isolated vertices that no face lists. O(n log n).
-fn assembled(ordered: &Ordered, names: &[u32], points: VertexMap<Point>) -> Subdivision {
+/// The triangulation of ordered points, whose vertices have the given numbers and places; none of fewer than two. Numbers
+/// without a point become isolated vertices that no face lists. O(n).
+fn assembled(divided: Option<Divided>, names: &[u32], points: VertexMap<Point>) -> Subdivision {
     let vertices = points.len();
-    if ordered.sites.len() < 2 {
+    let Some(divided) = divided else {
         let columns = Columns {
             origin: Vec::new(),
             next: Vec::new(),
@@ -149,31 +154,28 @@ fn assembled(ordered: &Ordered, names: &[u32], points: VertexMap<Point>) -> Subd
                 .insert(subdivision.outer_face(), vec![InnerComponent::Isolated(VertexId::new(v))]);
         }
         return subdivision;
-    }
-    Subdivision::from_parts(with_faces(divide_and_conquer(ordered), names, vertices), points)
+    };
+    Subdivision::from_parts(with_faces(divided, names, vertices), points)
 }
 
 /// The finished structure: the outline bounds `f0`, every other cycle a triangle. O(n).
-fn with_faces(Divided { half, outer }: Divided, names: &[u32], vertices: usize) -> Dcel {
-    let [mut origin, mut next, mut prev] = [(); 3].map(|()| vec![0; half.len()]);
-    pieces_of([&mut origin, &mut next, &mut prev], PIECE, |first, [origin, next, prev]| {
-        let rows = origin.iter_mut().zip(next).zip(prev).zip(&half[first..]);
-        for (((origin, next), prev), record) in rows {
-            (*origin, *next, *prev) = (names[record.origin as usize], record.next, record.prev);
-        }
-    });
-    drop(half);
-    let at_vertices = || {
+fn with_faces(Divided { halves, outer }: Divided, names: &[u32], vertices: usize) -> Dcel {
+    let Halves { mut origin, next, prev, .. } = halves;
+    let named = || {
+        // Places in the order are near each other; vertices need not be.
+        let mut first_at = vec![Columns::NONE; names.len()];
+        origin.iter().enumerate().rev().for_each(|(h, &place)| first_at[place as usize] = h as u32);
         let mut outgoing = vec![Columns::NONE; vertices];
-        origin.iter().enumerate().rev().for_each(|(h, &v)| outgoing[v as usize] = h as u32);
+        names.iter().zip(first_at).for_each(|(&name, h)| outgoing[name as usize] = h);
+        pieces(&mut origin, PIECE, |_, origin| origin.iter_mut().for_each(|v| *v = names[*v as usize]));
         outgoing
     };
-    let ((face, boundary), outgoing) = both(|| faces(&next, outer), at_vertices);
+    let ((face, boundary), outgoing) = both(|| faces(&next, &prev, outer), named);
     Dcel::from_columns(Columns { origin, next, prev, face, outgoing, boundary })
 }
 
 /// The face of each half-edge, and the first half-edge of each face.
-fn faces(next: &[u32], outer: u32) -> (Vec<u32>, Vec<u32>) {
+fn faces(next: &[u32], prev: &[u32], outer: u32) -> (Vec<u32>, Vec<u32>) {
     let mut face = vec![Columns::NONE; next.len()];
     let (mut boundary, mut h) = (Vec::with_capacity(next.len() / 3 + 1), outer);
     boundary.push(outer);
@@ -182,12 +184,15 @@ fn faces(next: &[u32], outer: u32) -> (Vec<u32>, Vec<u32>) {
         boundary[0] = boundary[0].min(h);
         h = next[h as usize];
     }
-    for (first, &second) in next.iter().enumerate() {
-        if face[first] == Columns::NONE {
-            for h in [first as u32, second, next[second as usize]] {
-                face[h as usize] = boundary.len() as u32;
-            }
-            boundary.push(first as u32);
+    for (h, (&second, &third)) in next.iter().zip(prev).enumerate() {
+        if face[h] == Columns::NONE {
+            let first = second.min(third);
+            face[h] = if first < h as u32 {
+                face[first as usize]
+            } else {
+                boundary.push(h as u32);
+                boundary.len() as u32 - 1
+            };
         }
     }
     (face, boundary)
