@@ -10,7 +10,6 @@
 use super::ObstacleError;
 use super::book::Book;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
-use crate::navmesh::corner::turns_left_or_runs_straight;
 use crate::plane::{PlaneJournal, Subdivision};
 use crate::topology::{Change, InnerComponent, Slot};
 use std::collections::BTreeSet;
@@ -47,24 +46,12 @@ pub(super) fn make_convex(
         if let Some(&ring) = map.inner_components(face).first() {
             tie(map, face, ring, rec)?;
             faces.push(face);
-        } else if let Some(corner) = wrong_corner(map, face) {
-            let others: Vec<HalfEdgeId> = map.cycle(corner).collect();
-            let fit = others.into_iter().find(|&h| map.can_split_face(corner, h).is_ok());
-            let split = fit.and_then(|h| map.split_face_with(corner, h, rec).ok());
-            let (_, new) = split.ok_or(ObstacleError::Concave { face })?;
-            faces.extend([face, new]);
-            done.insert(new);
+            continue;
         }
+        let new = map.cut_into_convex_with(face, rec).map_err(|_| ObstacleError::Concave { face })?;
+        done.extend(new);
     }
     Ok(done)
-}
-
-/// A half-edge of the face at whose origin the boundary turns the wrong way.
-fn wrong_corner(map: &Subdivision, face: FaceId) -> Option<HalfEdgeId> {
-    map.incident_half_edges(face).find(|&h| {
-        let corner = [map.origin(map.prev(h)), map.origin(h), map.destination(h)];
-        !turns_left_or_runs_straight(corner.map(|v| map.point(v)))
-    })
 }
 
 /// Joins something inside a face to its boundary by an edge.
@@ -80,23 +67,17 @@ fn tie(map: &mut Subdivision, face: FaceId, ring: InnerComponent, rec: &mut Plan
     map.insert_edge_with(v, w, rec).map(drop).map_err(|_| ObstacleError::Concave { face })
 }
 
-/// Takes out an edge. Of two faces the one stays that was there first, so that it has its name again in the end.
+/// Takes out edges. Of two faces the one stays that was there first, so that it has its name again in the end.
 pub(super) fn take_out(
     map: &mut Subdivision,
     book: &Book,
-    e: EdgeId,
+    edges: impl IntoIterator<Item = EdgeId>,
     faces: &mut BTreeSet<FaceId>,
     rec: &mut PlaneJournal,
 ) -> Result<(), ObstacleError> {
-    let [h, t] = e.half_edges();
-    let [f, g] = [map.face(h), map.face(t)];
-    let (goes, stays) = if book.is_first(f) { (t, f) } else { (h, g) };
-    let done = match f == g {
-        true => map.remove_edge_with(e, rec).is_ok(),
-        false => map.join_faces_with(goes, rec).is_ok(),
-    };
-    faces.insert(stays);
-    if done { Ok(()) } else { Err(ObstacleError::Concave { face: stays }) }
+    let kept = map.remove_edges_with(edges, |f| book.is_first(f), rec);
+    faces.extend(kept.map_err(|face| ObstacleError::Concave { face })?);
+    Ok(())
 }
 
 /// The edges that the changes have split: of each the half that starts at the new vertex now, and the edge that is new.
