@@ -24,6 +24,11 @@ use crate::plane::{PlaneRecorder, Point, Subdivision};
 /// No corner.
 const NONE: u32 = u32::MAX;
 
+/// How much is looked at in a face of this size before it is left to the sweep: O(k log k).
+pub(crate) fn most_looked_at(size: usize) -> usize {
+    (1 << 16) + 32 * size * (size + 4).ilog2() as usize
+}
+
 impl Subdivision {
     /// Cuts a bounded face that is no hole into convex faces, whose corners may be straight. Returns those that are new.
     ///
@@ -36,10 +41,20 @@ impl Subdivision {
         f: FaceId,
         rec: &mut impl PlaneRecorder,
     ) -> Result<Vec<FaceId>, TriangulateError> {
+        let size = self.all_half_edges(f).count();
+        self.cut_looking_at(most_looked_at(size), f, rec)
+    }
+
+    fn cut_looking_at(
+        &mut self,
+        most: usize,
+        f: FaceId,
+        rec: &mut impl PlaneRecorder,
+    ) -> Result<Vec<FaceId>, TriangulateError> {
         let mut added = Vec::new();
         let mut rest = vec![f];
         if self.inner_components(f).is_empty() {
-            let room = Room::cut(self, f);
+            let room = Room::cut(self, f, most);
             self.dcel.room_for(0, room.faces.len() - 1, room.faces.len() - 1)?;
             let faces = self.write_room(&room, f, rec);
             rest = room.undone.iter().map(|&piece| faces[piece as usize]).collect();
@@ -115,7 +130,7 @@ struct Room {
 }
 
 impl Room {
-    fn cut(s: &Subdivision, f: FaceId) -> Self {
+    fn cut(s: &Subdivision, f: FaceId, most: usize) -> Self {
         let given: Vec<HalfEdgeId> = s.dcel.half_edge(f).into_iter().flat_map(|h| s.dcel.cycle(h)).collect();
         let n = given.len() as u32;
         let mut room = Self {
@@ -125,7 +140,7 @@ impl Room {
             faces: vec![0],
             undone: Vec::new(),
             next_wrong: vec![NONE; given.len()],
-            left: (1 << 16) + 32 * given.len() * (2 + given.len().ilog2() as usize),
+            left: most,
             given,
         };
         let wrong: Vec<u32> = (0..n).filter(|&h| room.is_wrong(s, h)).collect();
@@ -164,6 +179,8 @@ impl Room {
     /// that turns the wrong way. None if nothing may be looked at any more.
     fn first_seen(&mut self, s: &Subdivision, boxes: &Boxes, corner: u32) -> Option<(u32, u32)> {
         let (mut passed, mut at) = (corner, self.next[corner as usize]);
+        // What is in the way to one corner is often in the way to the next one.
+        let mut in_way = None;
         loop {
             if self.next_wrong[passed as usize] == at {
                 passed = at;
@@ -175,8 +192,11 @@ impl Room {
             }
             if self.faces_inside(s, [corner, at]) {
                 let ends = [corner, at].map(|h| self.point(s, h));
-                if !boxes.meet(ends, &mut self.left)? {
-                    return Some((at, passed));
+                if in_way.is_none_or(|side| !boxes.meets(side, ends)) {
+                    in_way = boxes.find_met(ends, &mut self.left)?;
+                    if in_way.is_none() {
+                        return Some((at, passed));
+                    }
                 }
             }
         }
@@ -233,58 +253,163 @@ impl Room {
     }
 }
 
+/// A box round some sides in a row, along the line from their first point to their last.
+#[derive(Clone, Copy)]
+struct Slab {
+    middle: Point,
+    /// A vector of length 1.
+    along: [f64; 2],
+    /// Half of its size, along and across.
+    half: [f64; 2],
+}
+
+impl Slab {
+    fn new(points: impl Iterator<Item = Point> + Clone, first: Point, last: Point) -> Self {
+        let along = direction(first, last);
+        let least =
+            |[x, y]: [f64; 2]| points.clone().map(|p| (p.x - first.x) * x + (p.y - first.y) * y).fold(0.0, f64::min);
+        let [x, y] = along;
+        let [[low, high], [right, left]] = [along, [-y, x]].map(|[x, y]| [least([x, y]), -least([-x, -y])]);
+        let [u, v] = [(low + high) / 2.0, (right + left) / 2.0];
+        let middle = Point::new(first.x + u * x - v * y, first.y + u * y + v * x);
+        Self { middle, along, half: [(high - low) / 2.0, (left - right) / 2.0] }
+    }
+
+    /// Whether a segment, which runs this way, passes the box by at a greater distance than rounding can make of none.
+    fn is_off(&self, ends: [Point; 2], way: [f64; 2], slack: f64) -> bool {
+        let dot = |[a, b]: [f64; 2], [c, d]: [f64; 2]| a * c + b * d;
+        let across = |[x, y]: [f64; 2]| [-y, x];
+        let [a, b] = ends.map(|p| [p.x - self.middle.x, p.y - self.middle.y]);
+        let beside = |axis: [f64; 2], half: f64| {
+            let [a, b] = [dot(a, axis), dot(b, axis)];
+            a.min(b) > half + slack || a.max(b) < -half - slack
+        };
+        let [along, normal] = [self.along, across(way)];
+        let reach = self.half[0] * dot(along, normal).abs() + self.half[1] * dot(across(along), normal).abs();
+        beside(along, self.half[0]) || beside(across(along), self.half[1]) || beside(normal, reach)
+    }
+}
+
+/// The direction from one point to another; any if they are one.
+fn direction(a: Point, b: Point) -> [f64; 2] {
+    let [x, y] = [b.x - a.x, b.y - a.y];
+    let length = x.hypot(y);
+    if length > 0.0 { [x / length, y / length] } else { [1.0, 0.0] }
+}
+
 /// Boxes round the sides of a face, round each two in a row, each four, and so on.
 struct Boxes {
     points: Vec<Point>,
-    /// The least and the greatest corner of each; those of box i hold boxes 2i and 2i + 1. Sides come last.
-    boxes: Vec<[Point; 2]>,
+    /// Those of box i hold boxes 2i and 2i + 1. Sides come last.
+    boxes: Vec<Option<Slab>>,
+    /// More than rounding moves anything.
+    slack: f64,
 }
 
 impl Boxes {
+    /// O(k log k) for k points.
     fn new(points: Vec<Point>) -> Self {
         let (n, leaves) = (points.len(), points.len().next_power_of_two());
-        let round = |[a, b]: [Point; 2], [c, d]: [Point; 2]| {
-            [Point::new(a.x.min(c.x), a.y.min(c.y)), Point::new(b.x.max(d.x), b.y.max(d.y))]
-        };
-        // Behind the last side there are points again.
-        let mut boxes = vec![[points[0]; 2]; leaves];
-        boxes.extend((0..leaves).map(|i| round([points[i.min(n - 1)]; 2], [points[(i.min(n - 1) + 1) % n]; 2])));
-        for i in (1..leaves).rev() {
-            boxes[i] = round(boxes[2 * i], boxes[2 * i + 1]);
+        let largest = points.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
+        let mut boxes = vec![None; 2 * leaves];
+        let (mut level, mut size) = (leaves, 1);
+        while level > 0 {
+            for (i, first) in (0..n).step_by(size).enumerate() {
+                let last = (first + size).min(n);
+                let sides = (first..=last).map(|p| points[p % n]);
+                boxes[level + i] = Some(Slab::new(sides, points[first], points[last % n]));
+            }
+            (level, size) = (level / 2, 2 * size);
         }
-        Self { points, boxes }
+        Self { points, boxes, slack: largest * 2f64.powi(-44) }
     }
 
-    /// Whether a side meets the segment between its ends: with its first corner, or across it. None if that would take more
-    /// than what is left.
-    fn meet(&self, [a, b]: [Point; 2], left: &mut usize) -> Option<bool> {
-        let (n, leaves) = (self.points.len(), self.boxes.len() / 2);
-        let [min, max] = [Point::new(a.x.min(b.x), a.y.min(b.y)), Point::new(a.x.max(b.x), a.y.max(b.y))];
+    /// Whether a side meets a segment between its ends: with its first corner, or across it.
+    fn meets(&self, side: usize, [a, b]: [Point; 2]) -> bool {
+        let [v, w] = [side, (side + 1) % self.points.len()].map(|i| self.points[i]);
+        v != a && v != b && on_segment(a, b, v) || cross(a, b, v, w)
+    }
+
+    /// A side that meets a segment. None if that would take more than what is left.
+    fn find_met(&self, [a, b]: [Point; 2], left: &mut usize) -> Option<Option<usize>> {
+        let (leaves, way) = (self.boxes.len() / 2, direction(a, b));
         let mut stack = vec![1];
         while let Some(i) = stack.pop() {
             *left = left.checked_sub(1)?;
-            let [low, high] = self.boxes[i];
-            if low.x > max.x || low.y > max.y || high.x < min.x || high.y < min.y {
+            if self.boxes[i].is_none_or(|here| here.is_off([a, b], way, self.slack)) {
                 continue;
             }
-            if i >= leaves {
-                let side = i - leaves;
-                if side >= n {
-                    continue;
-                }
-                let [v, w] = [self.points[side], self.points[(side + 1) % n]];
-                if v != a && v != b && on_segment(a, b, v) || cross(a, b, v, w) {
-                    return Some(true);
-                }
-                continue;
-            }
-            let turn = |x, y| orientation(a, b, Point::new(x, y));
-            let first = turn(low.x, low.y);
-            let beside = [turn(high.x, low.y), turn(high.x, high.y), turn(low.x, high.y)];
-            if first.is_eq() || beside.iter().any(|&turn| turn != first) {
+            if i < leaves {
                 stack.extend([2 * i + 1, 2 * i]);
+            } else if self.meets(i - leaves, [a, b]) {
+                return Some(Some(i - leaves));
             }
         }
-        Some(false)
+        Some(None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ids::EdgeId;
+    use crate::plane::PlaneJournal;
+
+    /// A comb of three teeth, and a slit into its back.
+    fn comb() -> Subdivision {
+        let corners = [(0, 0), (13, 0), (13, 2), (9, 9), (9, 2), (7, 2), (5, 9), (5, 2), (3, 2), (0, 9)];
+        let mut comb =
+            Subdivision::polygon(&corners.map(|(x, y)| Point::new(f64::from(x), f64::from(y)))).expect("simple");
+        comb.insert_dangling_edge(VertexId::new(1), Point::new(4.0, 1.0)).expect("inside");
+        comb
+    }
+
+    fn is_convex(s: &Subdivision, f: FaceId) -> bool {
+        s.inner_components(f).is_empty()
+            && s.incident_half_edges(f).all(|h| {
+                let [u, v, w] = [s.origin(s.prev(h)), s.origin(h), s.destination(h)].map(|v| s.point(v));
+                orientation(u, v, w).is_gt()
+                    || orientation(u, v, w).is_eq() && left_to_right(u, v) == left_to_right(v, w)
+            })
+    }
+
+    #[test]
+    fn pieces_are_convex_however_much_is_looked_at() {
+        let before = comb();
+        for most in 0..200 {
+            let (mut s, mut journal) = (before.clone(), PlaneJournal::new());
+            let added = s.cut_looking_at(most, FaceId::new(1), &mut journal).expect("it can be cut");
+            assert_eq!(s.validate(), [], "{most}");
+            assert!(added.iter().chain([&FaceId::new(1)]).all(|&f| is_convex(&s, f)), "{most}");
+            assert_eq!(s.face_count(), 2 + added.len());
+            s.undo(&mut journal, 0);
+            assert_eq!(s, before, "{most}");
+        }
+    }
+
+    #[test]
+    fn edges_that_go_at_once_leave_what_they_leave_one_by_one() {
+        let mut cut = comb();
+        cut.cut_into_convex_with(FaceId::new(1), &mut PlaneJournal::new()).expect("it can be cut");
+        let edges: Vec<EdgeId> =
+            cut.edges().filter(|e| e.half_edges().iter().all(|&h| cut.face(h) != cut.outer_face())).collect();
+        for (first, stays_from) in (0..edges.len()).flat_map(|i| (0..5).map(move |from| (i, from))) {
+            let stays = |f: FaceId| f.number() >= stays_from;
+            let (mut one_by_one, mut at_once) = (cut.clone(), cut.clone());
+            for &e in &edges[first..] {
+                let [h, t] = e.half_edges();
+                let [f, g] = [h, t].map(|h| one_by_one.face(h));
+                if f == g {
+                    one_by_one.remove_edge(e).expect("it can go");
+                } else {
+                    one_by_one.join_faces(if stays(f) { t } else { h }).expect("they can be joined");
+                }
+            }
+            let mut journal = PlaneJournal::new();
+            at_once.remove_edges_with(edges[first..].iter().copied(), stays, &mut journal).expect("they can go");
+            assert_eq!(at_once, one_by_one);
+            at_once.undo(&mut journal, 0);
+            assert_eq!(at_once, cut);
+        }
     }
 }

@@ -38,6 +38,8 @@ mod transform;
 mod whole;
 
 pub use beside::rounding_room;
+#[cfg(feature = "navmesh")]
+pub(crate) use convex::most_looked_at;
 pub use flip_edge::FlipEdgeError;
 pub use insert_edge::{InsertEdgeError, InsertedEdge};
 pub use insert_segment::{InsertSegmentError, InsertedSegment};
