@@ -13,7 +13,8 @@
 //! `-- surfaces` shows how floors with heights grow: making one, and locating, nearest places, rays and paths on it.
 //!
 //! `-- linear` shows how making a mesh and its index grows with pillars that stand in a row: most triangles are slivers
-//! from their tips to one corner; with one face of many corners; and with storeys over each other.
+//! from their tips to one corner; with one face of many corners; and with storeys over each other; and how a wall grows
+//! with the squares it crosses.
 
 use cpu_time::ProcessTime;
 use dcel_kit::io::{Grid, Scenario};
@@ -106,6 +107,17 @@ fn linear() {
         face.push_face(&(0..count as u32).collect::<Vec<_>>());
         let map = Subdivision::polygon(&points).expect("a convex face");
         move || NavMesh::new(&map).expect("convex").memory() + mesh_faults(&points, &face, &[]).len()
+    });
+    growth("insert_wall along a strip, by squares", &DOUBLED, |count| {
+        let points: Vec<Point> = (0..=count).flat_map(|i| [0.0, 1.0].map(|y| Point::new(i as f64, y))).collect();
+        let ends = (0..=count as u32).map(|i| [2 * i, 2 * i + 1]);
+        let edges: Vec<[u32; 2]> = ends.chain((0..2 * count as u32).map(|i| [i, i + 2])).collect();
+        let live = LiveMesh::new(Subdivision::from_graph(&points, &edges).expect("a strip")).expect("squares");
+        move || {
+            let mut live = live.clone();
+            live.insert_wall(Point::new(0.5, 0.4), Point::new(count as f64 - 2.5, 0.6)).expect("it fits");
+            live.last_edit().links
+        }
     });
     for storeys in [2, 50] {
         growth(&format!("NavSurface::new, {storeys} storeys of loose squares, by squares"), &DOUBLED, |count| {

@@ -198,7 +198,17 @@ impl Grid {
 
     /// Whether so much has come that a new index is worth its cost.
     pub(super) fn is_stale(&self) -> bool {
-        self.late_count > 64 + self.items.len() / 2 || self.entries[0] > 2 * self.entries[1] + 64
+        self.late_count > self.most_late() || self.entries[0] > self.most_entries()
+    }
+
+    /// The most faces that may come late, per cell.
+    pub(super) fn most_late(&self) -> usize {
+        64 + self.items.len() / 2
+    }
+
+    /// The most entries that cells of this size may have.
+    pub(super) fn most_entries(&self) -> usize {
+        2 * self.entries[1] + 64
     }
 
     /// The items of a cell, with their marks; nothing for one that has none.

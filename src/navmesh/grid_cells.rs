@@ -81,17 +81,25 @@ impl Grid {
     /// Lists faces anew: `gone` are the cells of those that are no more, or had another shape, as
     /// [`cells_of`](Self::cells_of) told before; `come` are those that are new, or have another shape now.
     ///
-    /// Cost: O(k log k) for k entries of the cells they reach into.
-    pub(super) fn mend(&mut self, mesh: &NavMesh, mut gone: Vec<(u32, u32)>, come: &[FaceId]) {
+    /// Returns whether that is done: not if so many entries would come that the index is to be made anew at once.
+    ///
+    /// Cost: O(k log k) for k entries of the cells they reach into, and no more than for those of a fresh index.
+    pub(super) fn mend(&mut self, mesh: &NavMesh, mut gone: Vec<(u32, u32)>, come: &[FaceId]) -> bool {
         if self.slivers.is_some() {
             return self.mend_late(mesh, come);
         }
         gone.sort_unstable();
+        let mut most = (self.most_entries() + gone.len()).saturating_sub(self.entries[0]);
         let (mut entries, mut corners) = (Vec::new(), Vec::new());
         for &f in come {
             corners.clear();
             corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
+            let before = entries.len();
             self.list(mesh, f, &corners, &mut entries);
+            // Entries for holes may be there already.
+            let cells = entries[before..].iter().filter(|&&(_, item)| item & GAP == 0).count();
+            let Some(left) = most.checked_sub(cells) else { return false };
+            most = left;
             self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
         }
         entries.sort_unstable();
@@ -124,20 +132,28 @@ impl Grid {
         if 2 * self.spent > self.items.len() + 64 {
             self.close_ranks();
         }
+        true
     }
 
     /// On a map of slivers: whatever another face has lost, one of these must have got.
-    fn mend_late(&mut self, mesh: &NavMesh, come: &[FaceId]) {
+    fn mend_late(&mut self, mesh: &NavMesh, come: &[FaceId]) -> bool {
         let mut cells = Vec::new();
-        come.iter().for_each(|&f| self.cells_of(mesh, f, &mut cells));
-        for (cell, f) in cells {
-            let here = self.late.entry(cell).or_default();
-            if !here.contains(&f) {
-                here.push(f);
-                self.late_count += 1;
-                self.written += 1;
+        for &f in come {
+            cells.clear();
+            self.cells_of(mesh, f, &mut cells);
+            for &(cell, f) in &cells {
+                let here = self.late.entry(cell).or_default();
+                if !here.contains(&f) {
+                    here.push(f);
+                    self.late_count += 1;
+                    self.written += 1;
+                }
+            }
+            if self.late_count > self.most_late() {
+                return false;
             }
         }
+        true
     }
 
     /// Writes the items of a cell anew.

@@ -67,6 +67,8 @@ pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use cycle::is_counter_clockwise;
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError, FlipEvent};
+#[cfg(feature = "navmesh")]
+pub(crate) use edit::most_looked_at;
 pub use edit::{
     FlipEdgeError, InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SetPointError, SplitEdgeError,

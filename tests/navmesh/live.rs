@@ -628,6 +628,55 @@ fn the_work_of_an_edit_does_not_grow_with_the_map() {
     }
 }
 
+/// A strip of unit squares, or of triangles that are as high as `height`.
+fn strip(count: u32, height: f64, is_cut: bool) -> Subdivision {
+    let points = (0..=count).flat_map(|i| [at(f64::from(i), 0.0), at(f64::from(i), height)]).collect::<Vec<_>>();
+    let mut edges: Vec<[u32; 2]> = (0..=count).map(|i| [2 * i, 2 * i + 1]).collect();
+    edges.extend((0..2 * count).map(|i| [i, i + 2]));
+    edges.extend((0..count).filter(|_| is_cut).map(|i| [2 * i, 2 * i + 3]));
+    Subdivision::from_graph(&points, &edges).expect("a strip")
+}
+
+/// A regular polygon, cut into triangles from its middle.
+fn fan(count: u32) -> Subdivision {
+    let corner = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(count);
+    let mut points: Vec<Point> = (0..count).map(|i| at(100.0 * corner(i).cos(), 100.0 * corner(i).sin())).collect();
+    points.push(at(0.0, 0.0));
+    let edges: Vec<[u32; 2]> = (0..count).flat_map(|i| [[i, (i + 1) % count], [i, count]]).collect();
+    Subdivision::from_graph(&points, &edges).expect("a fan")
+}
+
+/// A wall costs what it crosses, not the square of it: however many cuts go, and come again, for each a few links are
+/// written, a few faces are read, and a few cells of the index.
+#[test]
+fn the_work_of_a_wall_grows_with_the_cuts_it_crosses() {
+    type Case = (&'static str, fn(u32) -> Subdivision, fn(f64) -> Vec<Point>);
+    let cases: [Case; 5] = [
+        ("squares", |n| strip(n, 1.0, false), |n| vec![at(0.5, 0.4), at(n - 2.5, 0.6)]),
+        ("tall triangles", |n| strip(n, 1e4, true), |n| vec![at(1.0, 5000.3), at(n - 3.0, 5001.0)]),
+        ("a bar", |n| strip(n, 1.0, false), |n| vec![at(0.5, 0.3), at(n - 2.5, 0.4), at(n - 2.5, 0.7), at(0.5, 0.6)]),
+        ("a fan", fan, |_| vec![at(-10.0, -10.0), at(10.0, 12.0)]),
+        ("round a fan", fan, |_| vec![at(-10.0, -10.0), at(10.0, -10.0), at(0.0, 12.0)]),
+    ];
+    for (what, map, corners) in cases {
+        for count in [250, 2000] {
+            let map = map(count);
+            let mut live = LiveMesh::new(map.clone()).expect("convex faces");
+            let id = insert(&mut live, &corners(f64::from(count))).expect("it fits");
+            let work = live.last_edit();
+            for (most, done) in [(100, work.links), (8, work.faces), (100, work.cells), (50, work.visited)] {
+                assert!(done < most * count as usize, "{what}, {count} times: {work:?}");
+            }
+            check_restored_after(&mut live, id, &map, what);
+        }
+    }
+}
+
+fn check_restored_after(live: &mut LiveMesh, id: ObstacleId, map: &Subdivision, context: &str) {
+    live.remove(id).expect("in the map");
+    check_restored(live, map, context);
+}
+
 /// Blocked triangles that fill the rest of the map, as in files that list them: obstacles reach into them, too.
 #[test]
 fn obstacles_come_and_go_where_holes_are_cut_into_many_faces() {

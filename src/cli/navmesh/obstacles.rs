@@ -13,9 +13,15 @@ use dcel_kit::plane::{ConvertError, InsertSegmentError, Point, Subdivision, is_c
 #[command(next_help_heading = "Obstacles")]
 pub(super) struct ObstacleArgs {
     /// Put up a wall between two points; may be given several times
+    ///
+    /// Time and memory grow as k log k with the number k of sides of the faces along the wall; where borders or other walls
+    /// cut it into pieces that lie in one large hole, as the product of the number of pieces and the size of the hole.
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = wall, allow_hyphen_values = true)]
     wall: Vec<Corners>,
     /// Put in an obstacle with these corners, in order, either way round; may be given several times
+    ///
+    /// It costs what its sides cost as walls, and the faces inside; as the square if it is thin and lies round many vertices
+    /// that nothing but edges across it hold.
     #[arg(long, value_name = "X,Y,X,Y,X,Y", value_parser = polygon, allow_hyphen_values = true)]
     obstacle: Vec<Corners>,
 }

@@ -38,7 +38,7 @@ pub(super) fn bring_back(
         };
         let other = in_way.edge();
         if book.is_cut(other) && !book.is_first(other) {
-            take_out(map, book, other, faces, rec)?;
+            take_out(map, book, [other], faces, rec)?;
         } else if let Some(owner) = book.owner(other) {
             return Ok(Return::Blocked(owner));
         } else {

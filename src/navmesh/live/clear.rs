@@ -37,9 +37,7 @@ pub(super) fn clear(
     let begin = rec.kernel().len();
     let mut faces = BTreeSet::new();
     let vertices = vertices_near(map, edges);
-    for &e in edges.iter().filter(|&&e| book.is_cut(e)) {
-        take_out(map, book, e, &mut faces, rec)?;
-    }
+    take_out(map, book, edges.iter().copied().filter(|&e| book.is_cut(e)), &mut faces, rec)?;
     let mut bends = Vec::new();
     for v in vertices.into_iter().filter(|&v| !book.is_first(v)) {
         if give_up(map, book, v, &mut faces, rec)? {
@@ -65,7 +63,7 @@ pub(super) fn clear(
         faces.iter().flat_map(|&f| map.incident_edges(f)).filter(|&e| book.is_cut(e) && !book.is_first(e)).collect();
     for e in cuts {
         if is_needless(map, e) {
-            take_out(map, book, e, &mut BTreeSet::new(), rec)?;
+            take_out(map, book, [e], &mut BTreeSet::new(), rec)?;
         }
     }
     let mut faces = written_faces(map, &rec.kernel().changes()[begin..]);
@@ -104,9 +102,7 @@ fn give_up(
     if is_needed {
         return Ok(false);
     }
-    for h in cuts {
-        take_out(map, book, h.edge(), faces, rec)?;
-    }
+    take_out(map, book, cuts.into_iter().map(HalfEdgeId::edge), faces, rec)?;
     if lines.is_empty() {
         map.remove_vertex_with(v, rec).expect("it exists, and has no edge any more");
     }

@@ -10,8 +10,7 @@
 use super::ObstacleError;
 use super::book::Book;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
-use crate::navmesh::corner::turns_left_or_runs_straight;
-use crate::plane::{PlaneJournal, Subdivision};
+use crate::plane::{PlaneJournal, Subdivision, most_looked_at};
 use crate::topology::{Change, InnerComponent, Slot};
 use std::collections::BTreeSet;
 
@@ -44,59 +43,46 @@ pub(super) fn make_convex(
     let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_hole(f)).collect();
     let mut faces: Vec<FaceId> = done.iter().copied().collect();
     while let Some(face) = faces.pop() {
-        if let Some(&ring) = map.inner_components(face).first() {
-            tie(map, face, ring, rec)?;
-            faces.push(face);
-        } else if let Some(corner) = wrong_corner(map, face) {
-            let others: Vec<HalfEdgeId> = map.cycle(corner).collect();
-            let fit = others.into_iter().find(|&h| map.can_split_face(corner, h).is_ok());
-            let split = fit.and_then(|h| map.split_face_with(corner, h, rec).ok());
-            let (_, new) = split.ok_or(ObstacleError::Concave { face })?;
-            faces.extend([face, new]);
-            done.insert(new);
-        }
+        tie(map, face, rec)?;
+        let new = map.cut_into_convex_with(face, rec).map_err(|_| ObstacleError::Concave { face })?;
+        done.extend(new);
     }
     Ok(done)
 }
 
-/// A half-edge of the face at whose origin the boundary turns the wrong way.
-fn wrong_corner(map: &Subdivision, face: FaceId) -> Option<HalfEdgeId> {
-    map.incident_half_edges(face).find(|&h| {
-        let corner = [map.origin(map.prev(h)), map.origin(h), map.destination(h)];
-        !turns_left_or_runs_straight(corner.map(|v| map.point(v)))
-    })
+/// Joins what is inside a face to its boundary, each by an edge; not all of it, if that takes too long.
+fn tie(map: &mut Subdivision, face: FaceId, rec: &mut PlaneJournal) -> Result<(), ObstacleError> {
+    if map.inner_components(face).is_empty() {
+        return Ok(());
+    }
+    let size = map.inner_components(face).len() + map.cycles(face).flat_map(|h| map.cycle(h)).count();
+    let mut left = most_looked_at(size);
+    while let Some(&ring) = map.inner_components(face).first() {
+        let inner: Vec<_> = match ring {
+            InnerComponent::Cycle(h) => map.cycle(h).map(|h| map.origin(h)).collect(),
+            InnerComponent::Isolated(v) => vec![v],
+        };
+        let outer: Vec<_> = map.incident_vertices(face).collect();
+        let pairs = inner.iter().flat_map(|&v| outer.iter().map(move |&w| [v, w]));
+        // Each look is one at the whole face, and so is the edge.
+        let mut looked_at = pairs.take_while(|_| left.checked_sub(size).inspect(|&rest| left = rest).is_some());
+        let Some([v, w]) = looked_at.find(|&[v, w]| map.can_insert_edge(v, w).is_ok()) else { return Ok(()) };
+        map.insert_edge_with(v, w, rec).map_err(|_| ObstacleError::Concave { face })?;
+    }
+    Ok(())
 }
 
-/// Joins something inside a face to its boundary by an edge.
-fn tie(map: &mut Subdivision, face: FaceId, ring: InnerComponent, rec: &mut PlaneJournal) -> Result<(), ObstacleError> {
-    let inner: Vec<_> = match ring {
-        InnerComponent::Cycle(h) => map.cycle(h).map(|h| map.origin(h)).collect(),
-        InnerComponent::Isolated(v) => vec![v],
-    };
-    let outer: Vec<_> = map.incident_vertices(face).collect();
-    let pairs = inner.iter().flat_map(|&v| outer.iter().map(move |&w| [v, w]));
-    let fit = pairs.into_iter().find(|&[v, w]| map.can_insert_edge(v, w).is_ok());
-    let [v, w] = fit.ok_or(ObstacleError::Concave { face })?;
-    map.insert_edge_with(v, w, rec).map(drop).map_err(|_| ObstacleError::Concave { face })
-}
-
-/// Takes out an edge. Of two faces the one stays that was there first, so that it has its name again in the end.
+/// Takes out edges. Of two faces the one stays that was there first, so that it has its name again in the end.
 pub(super) fn take_out(
     map: &mut Subdivision,
     book: &Book,
-    e: EdgeId,
+    edges: impl IntoIterator<Item = EdgeId>,
     faces: &mut BTreeSet<FaceId>,
     rec: &mut PlaneJournal,
 ) -> Result<(), ObstacleError> {
-    let [h, t] = e.half_edges();
-    let [f, g] = [map.face(h), map.face(t)];
-    let (goes, stays) = if book.is_first(f) { (t, f) } else { (h, g) };
-    let done = match f == g {
-        true => map.remove_edge_with(e, rec).is_ok(),
-        false => map.join_faces_with(goes, rec).is_ok(),
-    };
-    faces.insert(stays);
-    if done { Ok(()) } else { Err(ObstacleError::Concave { face: stays }) }
+    let kept = map.remove_edges_with(edges, |f| book.is_first(f), rec);
+    faces.extend(kept.map_err(|face| ObstacleError::Concave { face })?);
+    Ok(())
 }
 
 /// The edges that the changes have split: of each the half that starts at the new vertex now, and the edge that is new.

@@ -65,9 +65,7 @@ fn cut_in_without(
     rec: &mut PlaneJournal,
 ) -> Result<Inserted, ObstacleError> {
     let mut faces = BTreeSet::new();
-    for &e in crossed {
-        take_out(map, book, e, &mut faces, rec)?;
-    }
+    take_out(map, book, crossed.iter().copied(), &mut faces, rec)?;
     let (whole_from, near) = (rec.kernel().len(), near(mesh, sides));
     let mut inserted = Inserted { sides: Vec::with_capacity(sides.len()) };
     let mut corners: Vec<VertexId> = Vec::with_capacity(sides.len() + 1);
@@ -228,6 +226,6 @@ fn line_beside(
     near: f64,
     changes: &[Change],
 ) -> Option<HalfEdgeId> {
-    let is_new = |e: EdgeId| changes.iter().filter_map(added).any(|element| element == e.into());
-    map.nearest_half_edge(f, p, near, |h| !book.is_cut(h.edge()) || is_new(h.edge()))
+    let new: BTreeSet<Element> = changes.iter().filter_map(added).collect();
+    map.nearest_half_edge(f, p, near, |h| !book.is_cut(h.edge()) || new.contains(&h.edge().into()))
 }

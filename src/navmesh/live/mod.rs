@@ -220,8 +220,12 @@ impl LiveMesh {
     /// led through vertices that are as near. Nothing moves farther than that at a time.
     ///
     /// Cost: O(k log k) for k sides of the faces along the wall, and of the holes it reaches into; that of
-    /// [`block`](NavMesh::block) for what it cuts off. It does not grow with the map, but for an index and lists that
-    /// are made anew once the map has twice as many parts: O(1) for each part, over all edits.
+    /// [`block`](NavMesh::block) for what it cuts off; and O(1) for each cell of the index for location into which the new
+    /// faces reach, which long and thin ones do into many, up to the size of the map. Else it does not grow with the map, but
+    /// for an index and lists that are made anew once the map has twice as many parts: O(1) for each part, over all edits.
+    ///
+    /// Besides, O(k) for each piece of the wall: borders of holes, of areas and of other obstacles cut it into pieces, and of
+    /// each the face or hole in which it lies is looked at. So the cost is O(p k) for p pieces that lie in one hole of k sides.
     ///
     /// # Errors
     /// [`ObstacleError`]; then nothing has changed.
@@ -232,7 +236,9 @@ impl LiveMesh {
 
     /// Puts in an obstacle with these corners, counter-clockwise: a simple polygon that nobody enters.
     ///
-    /// Cost: that of its sides as walls, and O(faces inside).
+    /// Cost: that of its sides as walls, O(faces inside), and O(k) for each vertex, or group of vertices, that loses all cuts
+    /// to the rest of its surroundings, k being the sides of the faces along the obstacle: so O(k²) for a thin one round many
+    /// vertices that only cuts across it hold.
     ///
     /// # Errors
     /// [`ObstacleError`]; then nothing has changed.

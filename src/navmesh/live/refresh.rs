@@ -86,9 +86,9 @@ impl NavMesh {
         });
         let come: Vec<FaceId> = ids.into_iter().filter(|&f| self.has_face(f)).collect();
         let mut grid = std::mem::take(&mut self.grid);
-        grid.mend(self, gone, &come);
+        let is_mended = grid.mend(self, gone, &come);
         self.grid = grid;
-        if self.grid.is_stale() {
+        if !is_mended || self.grid.is_stale() {
             self.index_again(map);
         }
         result

@@ -9,6 +9,7 @@
 //!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
 //!                                                   beside.rs  what is next to it
 //!                                                   kept_ids.rs  what was removed comes back under its id
+//!   join_many.rs  many edges go at once              convex.rs  a face falls into convex ones
 //! ```
 //!
 //! The kernel takes whatever is combinatorially legal; here an edit must also keep edges straight, disjoint and
@@ -16,12 +17,16 @@
 //! nothing.
 
 mod beside;
+#[cfg(feature = "navmesh")]
+mod convex;
 mod flip_edge;
 mod insert_edge;
 mod insert_segment;
 mod insert_vertex;
 mod join_edges;
 mod join_faces;
+#[cfg(feature = "navmesh")]
+mod join_many;
 #[cfg(any(feature = "navmesh", test))]
 mod kept_ids;
 mod remove_edge;
@@ -33,6 +38,8 @@ mod transform;
 mod whole;
 
 pub use beside::rounding_room;
+#[cfg(feature = "navmesh")]
+pub(crate) use convex::most_looked_at;
 pub use flip_edge::FlipEdgeError;
 pub use insert_edge::{InsertEdgeError, InsertedEdge};
 pub use insert_segment::{InsertSegmentError, InsertedSegment};

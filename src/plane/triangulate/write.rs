@@ -54,6 +54,10 @@ impl Subdivision {
             let face = if keeps { old } else { self.dcel.add_face_record(rec) };
             if !keeps {
                 self.dcel.set_half_edge(face, Some(first), rec);
+                if start as usize >= links.given.len() {
+                    // It has diagonals only: who follows the changes is to see which face it comes from.
+                    self.dcel.set_face(first, old, rec);
+                }
                 added.new_faces.push((face, old));
             }
             self.set_faces(start, face, links, &ids, rec);

@@ -84,17 +84,29 @@ impl Dcel {
     pub(crate) fn join_faces_unchecked(&mut self, h: HalfEdgeId, rec: &mut impl Recorder) -> FaceId {
         let (a, b) = (h, h.twin());
         let (gone, kept) = (self.face(a), self.face(b));
-        let (p1, n1) = (self.prev(a), self.next(a));
-        let (p2, n2) = (self.prev(b), self.next(b));
-        // A loop that bounds a face alone leaves the other face's cycle as it is.
-        let (after_a, after_b) = (if n1 == a { n2 } else { n1 }, if n2 == b { n1 } else { n2 });
 
         rec.step(1, "Make all half-edges of the joined face point to the remaining face.");
-        let mut at = n1;
+        let mut at = self.next(a);
         while at != a {
             self.set_face(at, kept, rec);
             at = self.next(at);
         }
+        self.lead_past_edge(a, kept, rec);
+
+        rec.step(4, "Remove the edge and the face.");
+        self.remove_edge_record(a.edge(), rec);
+        self.remove_face_record(gone, rec);
+        gone
+    }
+
+    /// Leads all links past the edge of `h`, so that it can be removed: those of the cycles on its two sides, which become
+    /// one, of its ends, and of the face `kept`, which lies on the right of `h` as far as links show it. O(1).
+    pub(crate) fn lead_past_edge(&mut self, h: HalfEdgeId, kept: FaceId, rec: &mut impl Recorder) {
+        let (a, b) = (h, h.twin());
+        let (p1, n1) = (self.prev(a), self.next(a));
+        let (p2, n2) = (self.prev(b), self.next(b));
+        // A loop that bounds a face alone leaves the other face's cycle as it is.
+        let (after_a, after_b) = (if n1 == a { n2 } else { n1 }, if n2 == b { n1 } else { n2 });
 
         rec.step(2, "Let no vertex and no face point to the edge that goes.");
         if self.outgoing(self.origin(a)) == Some(a) {
@@ -116,10 +128,5 @@ impl Dcel {
             self.set_next(p1, n2, rec);
             self.set_next(p2, n1, rec);
         }
-
-        rec.step(4, "Remove the edge and the face.");
-        self.remove_edge_record(a.edge(), rec);
-        self.remove_face_record(gone, rec);
-        gone
     }
 }
