@@ -1,7 +1,7 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
 use super::answer::fields;
-use super::choice::pair;
+use super::choice::{number, pair};
 use super::failure::{Failure, say};
 use super::results::{Moved, Results};
 use super::{Answer, Output};
@@ -45,7 +45,7 @@ pub(crate) struct Args {
     /// Round all points to multiples of this, or rather of the largest power of two not above it.
     /// Without it, points are only rounded to a grid where lines are too close to settle in place,
     /// and then as finely as doubles allow
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, value_name = "SIZE", value_parser = number)]
     grid: Option<f64>,
     /// Make hole faces of rings that lie inside others, but not of what lies in these again, and so on
     #[arg(long)]
