@@ -8,7 +8,7 @@ use super::{Answer, Output};
 use dcel_kit::figure;
 use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
-    faults_with_places, read_path, source_name,
+    faults_with_places, is_as_given, read_path, source_name,
 };
 use dcel_kit::plane::{ArrangeOptions, Point, SegmentsError};
 use dcel_kit::topology::components;
@@ -105,7 +105,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.nested_holes && arranged.subdivision.mark_nested_holes().is_empty() {
         say("note", "no ring lies inside another: --nested-holes marks nothing");
     }
-    if mend && describe(&arranged).is_empty() && !had_rings_mended {
+    if mend && is_as_given(&arranged) && !had_rings_mended {
         say("note", NOTHING_TO_MEND);
     }
     args.results.draw(&args.file, "Segments", out, |options| {

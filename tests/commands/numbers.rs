@@ -5,7 +5,8 @@ use crate::shell::Folder;
 #[test]
 fn what_is_no_number_is_told_what_is_expected() {
     let folder = Folder::new();
-    let (whole, number) = ("write a whole number, 0 or more, for example 3", "this is no finite number: write it like 1.5");
+    let (whole, number) =
+        ("write a whole number, 0 or more, for example 3", "this is no finite number: write it like 1.5");
     let cases = [
         ("navmesh random square.obj --count=-3", whole),
         ("navmesh random square.obj --count 1.5", whole),

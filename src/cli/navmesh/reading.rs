@@ -193,6 +193,7 @@ impl MapArgs {
             y_down: self.y_down,
             format: self.format,
             drop_degenerate_rings: self.mend,
+            keep_inner_rings: self.mend,
             close_rings: self.mend,
             ..ReadOptions::default()
         };
