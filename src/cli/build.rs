@@ -1,14 +1,14 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
 use super::answer::fields;
-use super::choice::pair;
+use super::choice::{number, pair};
 use super::failure::{Failure, say};
 use super::results::{Moved, Results};
 use super::{Answer, Output};
 use dcel_kit::figure;
 use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
-    faults_with_places, read_path, source_name,
+    faults_with_places, is_as_given, read_path, source_name,
 };
 use dcel_kit::plane::{ArrangeOptions, Point, SegmentsError};
 use dcel_kit::topology::components;
@@ -45,7 +45,7 @@ pub(crate) struct Args {
     /// Round all points to multiples of this, or rather of the largest power of two not above it.
     /// Without it, points are only rounded to a grid where lines are too close to settle in place,
     /// and then as finely as doubles allow
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, value_name = "SIZE", value_parser = number)]
     grid: Option<f64>,
     /// Make hole faces of rings that lie inside others, but not of what lies in these again, and so on
     #[arg(long)]
@@ -105,7 +105,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.nested_holes && arranged.subdivision.mark_nested_holes().is_empty() {
         say("note", "no ring lies inside another: --nested-holes marks nothing");
     }
-    if mend && describe(&arranged).is_empty() && !had_rings_mended {
+    if mend && is_as_given(&arranged) && !had_rings_mended {
         say("note", NOTHING_TO_MEND);
     }
     args.results.draw(&args.file, "Segments", out, |options| {

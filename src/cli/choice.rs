@@ -1,6 +1,10 @@
 //! Words for the values of an option, each with a line of help; numbers.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use std::fmt::Display;
+use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
 
 /// A word of the command line, what it says in the help, and what it stands for.
 pub(crate) type Choice<T> = (&'static str, &'static str, T);
@@ -10,6 +14,33 @@ pub(crate) fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
     let numbers: Option<[f64; N]> = numbers.ok()?.try_into().ok();
     numbers.filter(|numbers| numbers.iter().all(|x| x.is_finite()))
+}
+
+/// A finite number.
+pub(crate) fn number(text: &str) -> Result<f64, String> {
+    let finite = text.parse().ok().filter(|x: &f64| x.is_finite());
+    finite.ok_or_else(|| "this is no finite number: write it like 1.5".to_owned())
+}
+
+/// A whole number from 0, as large as its type takes.
+pub(crate) fn whole<T: FromStr>(text: &str) -> Result<T, String> {
+    text.parse().map_err(|_| "write a whole number, 0 or more, for example 3".to_owned())
+}
+
+/// A whole number from 1.
+pub(crate) fn positive(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "write a whole number, 1 or more, for example 4".to_owned())
+}
+
+/// A whole number in a range.
+pub(crate) fn within<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static
+where
+    T: FromStr + PartialOrd + Display + Clone + Send + Sync + 'static,
+{
+    move |text| {
+        let found = text.parse().ok().filter(|number| range.contains(number));
+        found.ok_or_else(|| format!("write a whole number from {} to {}", range.start(), range.end()))
+    }
 }
 
 /// Two numbers, as an option takes them.

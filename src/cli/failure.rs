@@ -288,7 +288,7 @@ fn flags(error: &LoadError) -> Option<&'static str> {
             "list its corners the other way round, or try --orient, or --y-down if y points down in the file, \
              or --surface if it is a surface in space",
         ),
-        LoadError::Plane { error, .. } => match error {
+        LoadError::Plane { error, what, .. } => match error {
             ConvertError::Geometry(_)
             | ConvertError::SelfCrossing { .. }
             | ConvertError::SelfTouching { .. }
@@ -298,6 +298,9 @@ fn flags(error: &LoadError) -> Option<&'static str> {
             | ConvertError::InPieces { .. }
             | ConvertError::CommonEdge { .. }
             | ConvertError::InsideFace { .. } => Some(MEND),
+            ConvertError::ZeroArea { .. } if what.contains(" ring ") => {
+                Some("correct the data, or leave out rings that enclose nothing with --drop-degenerate-rings or --mend")
+            }
             ConvertError::ZeroArea { .. } => Some("remove it, or leave out all that has no area with --mend"),
             ConvertError::Build(
                 BuildError::RepeatedVertex { .. } | BuildError::SameFaceTwice { .. } | BuildError::ThreeFaces { .. },

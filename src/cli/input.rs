@@ -19,7 +19,8 @@ pub(crate) struct InputOptions {
     /// y points down in the file, as on screens
     #[arg(long)]
     y_down: bool,
-    /// Leave out rings that enclose nothing
+    /// Leave out rings that enclose nothing: without three distinct points, or on one line; an outer ring takes its
+    /// polygon with it
     #[arg(long)]
     drop_degenerate_rings: bool,
     /// Turn round faces that run clockwise, or against the rest of a surface
@@ -35,7 +36,7 @@ pub(crate) struct InputOptions {
     #[arg(long)]
     plane: bool,
     /// Split polygons and segments where they cross, touch or overlap; reports what was done. Each face is named after
-    /// all polygons that cover it
+    /// all polygons that cover it. Rings that enclose nothing are left out; where the outer one is, the others are outlines
     #[arg(long)]
     mend: bool,
     /// The same as --mend
@@ -252,6 +253,7 @@ impl InputOptions {
         let read = ReadOptions {
             y_down: self.y_down,
             drop_degenerate_rings: self.drop_degenerate_rings || self.mends(),
+            keep_inner_rings: self.mends(),
             close_rings: self.mends(),
             object: self.object.clone(),
             outlines: false,

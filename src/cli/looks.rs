@@ -1,7 +1,7 @@
 //! The options of figures that are about looks: size, theme, style file, part, colours.
 
 use super::Failure;
-use super::choice::{Choice, numbers, one_of};
+use super::choice::{Choice, number, numbers, one_of, within};
 use super::save::Files;
 use super::subject::Subject;
 use dcel_kit::FaceId;
@@ -28,10 +28,10 @@ pub(crate) struct Page {
     #[arg(long)]
     plain: bool,
     /// How many panels or frames stand side by side
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=100))]
+    #[arg(long, value_name = "N", value_parser = within(1u16..=100))]
     columns: Option<u16>,
     /// Pixels of a .png for each px, 0.1 to 20 [default: 2]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number)]
     scale: Option<f64>,
 }
 

@@ -1,6 +1,7 @@
 //! `dcel overlay`: two subdivisions on each other.
 
 use super::answer::{fields, tell};
+use super::choice::number;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
@@ -46,7 +47,7 @@ pub(crate) struct Args {
     #[arg(long, requires = "operation")]
     join: bool,
     /// Round all points to multiples of this, or rather of the largest power of two not above it
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, value_name = "SIZE", value_parser = number)]
     grid: Option<f64>,
     /// Draw it (.svg), or write the structure (.dcel, .geojson, ...); - for dcel text
     #[arg(short, long, value_name = "OUT")]

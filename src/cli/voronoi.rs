@@ -1,6 +1,7 @@
 //! `dcel voronoi`: the cells of nearest sites.
 
 use super::answer::fields;
+use super::choice::number;
 use super::delaunay::tell_repeated;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
@@ -28,7 +29,7 @@ pub(crate) struct Args {
     #[arg(value_name = "IN")]
     file: PathBuf,
     /// The box: left, bottom, right and top; all points must lie inside
-    #[arg(long = "box", value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], num_args = 4, allow_negative_numbers = true)]
+    #[arg(long = "box", value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], num_args = 4, allow_negative_numbers = true, value_parser = number)]
     window: Option<Vec<f64>>,
     #[command(flatten)]
     results: Results,

@@ -62,6 +62,15 @@ pub fn faults_with_places<'a>(soup: &'a SegmentSoup, faults: &'a [SegmentFault])
     })
 }
 
+/// Whether nothing was split and nothing moved. Segments that are there already, or have no length, are left out whether or
+/// not others are split.
+#[must_use]
+pub fn is_as_given(arranged: &Arranged) -> bool {
+    let Arranged { crossings, moved, displaced, collapsed, .. } = arranged;
+    let none_moved = moved.is_empty() && displaced.is_empty() && collapsed.is_empty();
+    crossings.is_empty() && none_moved && arranged.split_segments().next().is_none()
+}
+
 /// What was merged, split and moved, one sentence each.
 #[must_use]
 pub fn describe(arranged: &Arranged) -> Vec<String> {

@@ -37,9 +37,7 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
             return Ok(Read { document: Document::Segments(soup.checked()?), notes, format });
         }
     };
-    let soup = rings
-        .finish(source, options.drop_degenerate_rings, |offsets| lines_and_columns(bytes, offsets), &mut notes)
-        .map_err(named)?;
+    let soup = rings.finish(source, options, |offsets| lines_and_columns(bytes, offsets), &mut notes).map_err(named)?;
     if soup.faces.face_count() == 0 {
         notes.push("the file holds no polygon".to_owned());
     }

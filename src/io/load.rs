@@ -10,7 +10,7 @@
 //!   └─ where ──┘ └─ what the builder says, counted from 0 ───────────────────────────┘ └─ the others ──┘
 //! ```
 
-use super::arrange::{arrange, describe};
+use super::arrange::{arrange, describe, is_as_given};
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
 use super::load_error::{LoadError, Whereabouts};
@@ -115,10 +115,8 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
         Document::Polygons(soup) => soup,
         Document::Segments(soup) => {
             let arranged = arrange(&soup, options.mend)?;
-            let told = describe(&arranged);
-            let as_given = told.is_empty();
-            notes.extend(told);
-            if options.mend && as_given && soup.mended_rings == 0 {
+            notes.extend(describe(&arranged));
+            if options.mend && is_as_given(&arranged) && soup.mended_rings == 0 {
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
@@ -192,7 +190,7 @@ fn plane(
             return Ok(Loaded { structure, names, covering, notes, format, places: None });
         }
         Err(error) => {
-            let Misfit { what, rings } = told.misfit(&error);
+            let Misfit { what, rings } = told.misfit(&error, convert.full_check);
             let at = Box::new(Whereabouts::of_misfit(&told, &error, &rings));
             return Err(LoadError::Plane { at, error, what });
         }

@@ -80,6 +80,11 @@ impl Whereabouts {
     /// The places of the rings a misfit speaks of, and of the faces and vertices if it speaks of them by number.
     pub(super) fn of_misfit(told: &Told<'_>, error: &ConvertError, rings: &[[u32; 2]]) -> Self {
         if rings.is_empty() || told.places.face_path(0).is_none() {
+            if let ConvertError::InsideFace { .. } = error {
+                // The corner is told by its place.
+                let faces: Vec<u32> = rings.iter().map(|ring| ring[0]).collect();
+                return Self::new(told.places, &faces, &[]);
+            }
             let mut faces = error.faces();
             faces.extend(rings.iter().map(|ring| ring[0]).filter(|_| error.faces().is_empty()));
             faces.dedup();

@@ -5,6 +5,7 @@
 //!   └ ring, if known ┘  └── elements by their paths, or as face 3 ──┘                       └ in the file's coordinates
 //! ```
 
+use super::outline::{Directions, Outline};
 use super::soup::Places;
 use crate::geometry::number::Number;
 use crate::ids::VertexId;
@@ -32,8 +33,8 @@ pub(super) struct Misfit {
 type Side = [u32; 2];
 
 impl Told<'_> {
-    /// What is wrong.
-    pub(super) fn misfit(&self, error: &ConvertError) -> Misfit {
+    /// What is wrong. Unless all was `checked`, sides may cross that nobody looked at.
+    pub(super) fn misfit(&self, error: &ConvertError, checked: bool) -> Misfit {
         match *error {
             ConvertError::Build(ref error) => self.build(error),
             ConvertError::Coordinate { .. } | ConvertError::Clockwise { .. } => self.plain(error),
@@ -50,23 +51,8 @@ impl Told<'_> {
                 let on = if side.contains(&vertex) { String::new() } else { format!(": inside {}", self.side(side)) };
                 Misfit { what: format!("{name} touches itself at {at}{on}"), rings: vec![ring] }
             }
-            ConvertError::OverlapAtEdge { u, v, first, second } => {
-                let (one, other) = (self.ring_with(first, [u, v]), self.ring_with(second, [u, v]));
-                let edge = format!("the edge {} -> {}", self.at(u), self.at(v));
-                let what = match one == other {
-                    true => format!("{} runs twice along {edge}", self.name(one)),
-                    false => format!("{}: both lie on the same side of {edge}", self.two(one, other, "overlap")),
-                };
-                Misfit { what, rings: vec![one, other] }
-            }
-            ConvertError::OverlapAtVertex { vertex, first, second } => {
-                let (one, other) = (self.ring_at(first, vertex), self.ring_at(second, vertex));
-                let what = match one == other {
-                    true => format!("{} overlaps itself at its corner {}", self.name(one), self.at(vertex)),
-                    false => format!("{} at their common corner {}", self.two(one, other, "overlap"), self.at(vertex)),
-                };
-                Misfit { what, rings: vec![one, other] }
-            }
+            ConvertError::OverlapAtEdge { u, v, first, second } => self.overlap_at_edge([u, v], [first, second]),
+            ConvertError::OverlapAtVertex { vertex, first, second } => self.overlap_at_vertex(vertex, [first, second]),
             ConvertError::Geometry(violation) => self.geometry(&violation),
             ConvertError::HoleOutside { face, vertex } => {
                 let ring = self.ring_at(face, vertex);
@@ -80,21 +66,144 @@ impl Told<'_> {
                 let what = format!("the inside of {} is cut into pieces by its holes", self.polygon(face));
                 Misfit { what, rings: vec![[face, 0]] }
             }
-            ConvertError::CommonEdge { face, u, v } => {
-                let mut rings = self.rings_of(face).filter(|&ring| self.has_side(ring, [u, v]));
-                let one = rings.next().unwrap_or([face, 0]);
-                let other = rings.next().unwrap_or(one);
-                self.in_common(one, other, [u, v])
-            }
-            ConvertError::InsideFace { face, vertex } => {
-                let inner = self.rings().find(|&[f, c]| f != face && self.cycle([f, c]).contains(&vertex));
-                let inner = inner.unwrap_or([face, 0]);
-                let (name, outer, at) = (self.name(inner), self.polygon(face), self.at(vertex));
-                let what =
-                    format!("{name} lies inside {outer}, which has no hole there: they overlap, for example at {at}");
-                Misfit { what, rings: vec![inner, [face, 0]] }
-            }
+            ConvertError::CommonEdge { face, u, v } => self.common_edge(face, [u, v]),
+            ConvertError::InsideFace { face, vertex } => self.inside(face, vertex, checked),
         }
+    }
+
+    /// Two rings run along an edge in the same direction, what is to be covered on their left.
+    fn overlap_at_edge(&self, side: Side, [first, second]: [u32; 2]) -> Misfit {
+        if first == second {
+            return self.common_edge(first, side);
+        }
+        let [p, q] = side.map(|v| self.point(v));
+        let ring = |face| {
+            let on_left = |&ring: &[u32; 2]| self.outline(ring).is_left_of([p, q]) == Some(ring[1] == 0);
+            self.rings_of(face).find(on_left).unwrap_or_else(|| self.ring_with(face, side))
+        };
+        let (one, other) = (ring(first), ring(second));
+        let edge = format!("the edge {} -> {}", self.at(side[0]), self.at(side[1]));
+        // What a hole goes round is no part of its polygon.
+        let two = match one[1] + other[1] {
+            0 => self.two(one, other, "overlap"),
+            _ => format!("{} and {} overlap", self.polygon(first), self.polygon(second)),
+        };
+        Misfit { what: format!("{two}: both lie on the same side of {edge}"), rings: vec![one, other] }
+    }
+
+    /// Two rings of one polygon run along an edge.
+    fn common_edge(&self, face: u32, side: Side) -> Misfit {
+        let [p, q] = side.map(|v| self.point(v));
+        let left = |ring| Some((ring, self.outline(ring).is_left_of([p, q])?));
+        let all: Vec<([u32; 2], bool)> = self.rings_of(face).filter_map(left).collect();
+        let edge = || format!("the edge {} -> {}", self.at(side[0]), self.at(side[1]));
+        let &[(one, left), (other, other_left), ..] = all.as_slice() else {
+            let ring = all.first().map_or([face, 0], |first| first.0);
+            return Misfit { what: format!("{} runs twice along {}", self.name(ring), edge()), rings: vec![ring] };
+        };
+        let rings = vec![one, other];
+        match (one[1], left == other_left) {
+            (0, false) => {
+                let (two, side) = (self.two(one, other, "have"), self.side(side));
+                let number = self.ring_number(other);
+                Misfit {
+                    what: format!("{two} in common {side}, and ring {number} lies outside of ring 0 there"),
+                    rings,
+                }
+            }
+            (1.., true) => {
+                let two = self.two(one, other, "overlap");
+                Misfit { what: format!("{two}: both lie on the same side of {}", edge()), rings }
+            }
+            _ => self.in_common(one, other, side),
+        }
+    }
+
+    /// What is covered round a vertex overlaps, or holes do, or they stick out.
+    fn overlap_at_vertex(&self, vertex: u32, faces: [u32; 2]) -> Misfit {
+        let v = self.point(vertex);
+        let wedge = |ring| Some((ring, self.outline(ring).wedge(v)?));
+        let wedges: Vec<([u32; 2], [Point; 2])> = self.rings().filter_map(wedge).collect();
+        let directions = Directions::new(v, wedges.iter().flat_map(|(_, ends)| *ends).collect());
+        let around: Vec<([u32; 2], Vec<bool>)> =
+            wedges.iter().map(|&(ring, ends)| (ring, directions.covered(ends))).collect();
+        let meet = |a: &[bool], b: &[bool]| a.iter().zip(b).any(|(a, b)| *a && *b);
+        // Two polygons, of which each covers what follows a direction.
+        let mut polygons: Vec<([u32; 2], Vec<bool>)> = Vec::new();
+        for rings in around.chunk_by(|a, b| a.0[0] == b.0[0]) {
+            let face = rings[0].0[0];
+            let holes = if rings[0].0[1] == 0 { &rings[1..] } else { rings };
+            let whole = self.outline([face, 0]).place_of(v).is_gt();
+            let mut covered = if rings[0].0[1] == 0 { rings[0].1.clone() } else { vec![whole; rings[0].1.len()] };
+            for (i, covered) in covered.iter_mut().enumerate() {
+                *covered &= !holes.iter().any(|hole| hole.1[i]);
+            }
+            polygons.push((rings[0].0, covered));
+        }
+        // Two rings of one polygon.
+        let within = |one: &([u32; 2], Vec<bool>), other: &([u32; 2], Vec<bool>)| {
+            one.0[0] == other.0[0]
+                && match one.0[1] {
+                    0 => other.1.iter().zip(&one.1).any(|(hole, shell)| *hole && !shell),
+                    _ => meet(&one.1, &other.1),
+                }
+        };
+        let pairs = |n: usize| (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)));
+        let place = |one: [u32; 2], other: [u32; 2]| {
+            let corner = [one, other].iter().all(|&ring| self.outline(ring).has_corner(v));
+            format!("at their common {} {}", if corner { "corner" } else { "point" }, self.at(vertex))
+        };
+        if let Some((i, j)) = pairs(polygons.len()).find(|&(i, j)| meet(&polygons[i].1, &polygons[j].1)) {
+            let (one, other) = (polygons[i].0, polygons[j].0);
+            let what = format!("{} {}", self.two(one, other, "overlap"), place(one, other));
+            return Misfit { what, rings: vec![one, other] };
+        }
+        if let Some((i, j)) = pairs(around.len()).find(|&(i, j)| within(&around[i], &around[j])) {
+            let (one, other) = (around[i].0, around[j].0);
+            let what = match one[1] {
+                0 => {
+                    let two = self.two(one, other, "do not fit together");
+                    format!("{two} {}: ring {} sticks out there", place(one, other), self.ring_number(other))
+                }
+                _ => format!("{} {}", self.two(one, other, "overlap"), place(one, other)),
+            };
+            return Misfit { what, rings: vec![one, other] };
+        }
+        // Nothing overlaps: sides of different length run along each other.
+        let other = |one: [u32; 2]| around.iter().map(|ring| ring.0).find(|&other| other != one);
+        let one = around.iter().map(|ring| ring.0).find(|ring| faces.contains(&ring[0])).unwrap_or([faces[0], 0]);
+        let what = match other(one) {
+            Some(other) => format!("{} at {}", self.two(one, other, "run along each other"), self.at(vertex)),
+            None => format!("{} runs along itself at {}", self.name(one), self.at(vertex)),
+        };
+        Misfit { what, rings: std::iter::once(one).chain(other(one)).collect() }
+    }
+
+    /// A part of the input lies in a face, or begins there; `face` is one of those near.
+    fn inside(&self, face: u32, vertex: u32, checked: bool) -> Misfit {
+        let p = self.point(vertex);
+        let at = self.at(vertex);
+        let inner = self.rings().find(|&ring| ring[0] != face && self.cycle(ring).contains(&vertex));
+        let inner = inner.or_else(|| self.rings().find(|&ring| self.cycle(ring).contains(&vertex)));
+        let inner = inner.unwrap_or([face, 0]);
+        let name = self.name(inner);
+        let covers = |&outer: &u32| outer != inner[0] && self.covers(outer, p);
+        let Some(outer) = std::iter::once(face).chain(0..self.faces.face_count() as u32).find(covers) else {
+            let what = format!("{name} does not fit what lies round its corner {at}");
+            return Misfit { what, rings: vec![inner] };
+        };
+        let around = self.polygon(outer);
+        let what = match checked {
+            true => format!("{name} lies inside {around}, which has no hole there: they overlap, for example at {at}"),
+            false => format!("a corner of {name}, {at}, lies inside {around}: they overlap"),
+        };
+        Misfit { what, rings: vec![inner, [outer, 0]] }
+    }
+
+    /// Whether a polygon covers a point inside of it: that it does not only touch.
+    fn covers(&self, face: u32, p: Point) -> bool {
+        let mut holes = self.rings_of(face).skip(1);
+        self.outline([face, 0]).place_of(p).is_gt() && holes.all(|hole| self.outline(hole).place_of(p).is_lt())
     }
 
     /// Whether the format has lines for its faces: then elements are numbered, else they have paths.
@@ -124,16 +233,31 @@ impl Told<'_> {
                 (format!("{} touches itself: it passes {} twice", self.name(ring), self.at(vertex)), vec![ring])
             }
             BuildError::SameFaceTwice { first, second } => {
-                (format!("{} repeats {}", self.polygon(second), self.polygon(first)), rings(vec![second, first]))
+                let with_holes = [first, second].iter().any(|&face| self.rings_of(face).len() > 1);
+                let name = |face| if with_holes { self.name([face, 0]) } else { self.polygon(face) };
+                (format!("{} repeats {}", name(second), name(first)), rings(vec![second, first]))
             }
-            BuildError::ThreeFaces { u, v, ref faces } => {
-                let all: Vec<String> = faces.iter().map(|&f| self.polygon(f)).collect();
-                let what = format!("{} have {} in common: they overlap", all.join(", "), self.side([u, v]));
-                (what, faces.iter().map(|&f| self.ring_with(f, [u, v])).collect())
-            }
+            BuildError::ThreeFaces { u, v, ref faces } => self.three(faces, [u, v]),
             ref other => (other.to_string(), rings(other.faces())),
         };
         Misfit { what, rings }
+    }
+
+    /// More than two rings run along a side.
+    fn three(&self, faces: &[u32], side: Side) -> (String, Vec<[u32; 2]>) {
+        let mut apart = faces.to_vec();
+        apart.dedup();
+        if apart.len() == faces.len() {
+            let all: Vec<String> = faces.iter().map(|&f| self.polygon(f)).collect();
+            let what = format!("{} have {} in common: they overlap", all.join(", "), self.side(side));
+            return (what, faces.iter().map(|&f| self.ring_with(f, side)).collect());
+        }
+        let rings: Vec<[u32; 2]> =
+            apart.iter().flat_map(|&f| self.rings_of(f).filter(|&ring| self.has_side(ring, side))).collect();
+        let all: Vec<String> = rings.iter().map(|&ring| self.name(ring)).collect();
+        let what =
+            format!("{} have {} in common: no more than two rings can have a side", all.join(", "), self.side(side));
+        (what, rings)
     }
 
     fn without_area(&self, face: u32) -> Misfit {
@@ -158,8 +282,9 @@ impl Told<'_> {
         match *violation {
             GeometryViolation::EdgesMeet { first, second } => {
                 let (first, second) = (first.map(VertexId::number), second.map(VertexId::number));
-                let (one, other) = (self.ring_of(first), self.ring_of(second));
-                let (one, other) = (one.unwrap_or([0, 0]), other.unwrap_or([0, 0]));
+                let (one, other) = apart(&self.rings_with(first), &self.rings_with(second));
+                // As the file has them: corners may have been inserted.
+                let (first, second) = (self.whole_side(one, first), self.whole_side(other, second));
                 let along = self.overlap(first, second);
                 let sides = along.as_ref().map_or_else(|| self.sides_cross(first, second), String::clone);
                 let what = match (one == other, along.is_some()) {
@@ -172,8 +297,9 @@ impl Told<'_> {
             }
             GeometryViolation::VertexOnEdge { vertex, ends } => {
                 let (vertex, side) = (vertex.number(), ends.map(VertexId::number));
-                let one = self.rings().find(|&ring| self.cycle(ring).contains(&vertex)).unwrap_or([0, 0]);
-                let other = self.ring_of(side).unwrap_or([0, 0]);
+                let with: Vec<[u32; 2]> = self.rings().filter(|&ring| self.cycle(ring).contains(&vertex)).collect();
+                let (one, other) = apart(&with, &self.rings_with(side));
+                let side = self.whole_side(other, side);
                 let at = self.at(vertex);
                 let what = match one == other {
                     true => format!("{invariant}: {} touches itself at {at}", self.name(one)),
@@ -198,14 +324,16 @@ impl Told<'_> {
 
     /// At a vertex the sides follow each other in a wrong order. Holes of a polygon that have a side in common do that.
     fn folded(&self, vertex: u32) -> Misfit {
-        let rings: Vec<[u32; 2]> = self.rings().filter(|&ring| self.cycle(ring).contains(&vertex)).collect();
-        for (i, &one) in rings.iter().enumerate() {
+        let with = |&ring: &[u32; 2]| self.outline(ring).wedge(self.point(vertex)).is_some();
+        let rings: Vec<[u32; 2]> = self.rings().filter(with).collect();
+        for &one in &rings {
             let corners = self.cycle(one);
             for k in (0..corners.len()).filter(|&k| corners[k] == vertex) {
                 for end in [corners[(k + 1) % corners.len()], corners[(k + corners.len() - 1) % corners.len()]] {
-                    let fits = |&&other: &&[u32; 2]| other[0] == one[0] && self.has_side(other, [vertex, end]);
-                    if let Some(&other) = rings[i + 1..].iter().find(fits) {
-                        return self.in_common(one, other, [vertex, end]);
+                    let fits =
+                        |&other: &[u32; 2]| other != one && other[0] == one[0] && self.has_side(other, [vertex, end]);
+                    if rings.iter().copied().any(|other| fits(&other)) {
+                        return self.common_edge(one[0], [vertex, end]);
                     }
                 }
             }
@@ -250,7 +378,8 @@ impl Told<'_> {
     /// `A and B overlap`, or `rings 0 and 1 of A overlap`.
     fn two(&self, one: [u32; 2], other: [u32; 2], do_what: &str) -> String {
         if one[0] == other[0] {
-            return format!("rings {} and {} of {} {do_what}", one[1], other[1], self.polygon(one[0]));
+            let numbers = [one, other].map(|ring| self.ring_number(ring));
+            return format!("rings {} and {} of {} {do_what}", numbers[0], numbers[1], self.polygon(one[0]));
         }
         format!("{} and {} {do_what}", self.name(one), self.name(other))
     }
@@ -261,8 +390,14 @@ impl Told<'_> {
     }
 
     /// `features[3] "Ohio" polygon 0 ring 1`, or `face 3`.
-    pub(super) fn name(&self, [face, cycle]: [u32; 2]) -> String {
-        if self.by_path() { format!("{} ring {cycle}", self.polygon(face)) } else { self.polygon(face) }
+    pub(super) fn name(&self, ring: [u32; 2]) -> String {
+        let polygon = self.polygon(ring[0]);
+        if self.by_path() { format!("{polygon} ring {}", self.ring_number(ring)) } else { polygon }
+    }
+
+    /// The number of a ring in its polygon as the file has it: rings before it may have been left out.
+    fn ring_number(&self, ring: [u32; 2]) -> u32 {
+        self.places.ring_numbers.get(self.number(ring)).copied().unwrap_or(ring[1])
     }
 
     /// A corner that was inserted: where, and into what.
@@ -305,20 +440,48 @@ impl Told<'_> {
         (0..self.faces.face_count() as u32).flat_map(cycles)
     }
 
-    fn has_side(&self, ring: [u32; 2], [a, b]: Side) -> bool {
+    fn outline(&self, ring: [u32; 2]) -> Outline {
+        Outline::new(self.cycle(ring).iter().map(|&v| self.point(v)))
+    }
+
+    /// Whether a ring has a side by its ends.
+    fn has_ends(&self, ring: [u32; 2], [a, b]: Side) -> bool {
         let corners = self.cycle(ring);
         let after = |i: usize| corners[(i + 1) % corners.len()];
         (0..corners.len()).any(|i| [corners[i], after(i)] == [a, b] || [corners[i], after(i)] == [b, a])
     }
 
-    /// The first ring with this side.
-    fn ring_of(&self, side: Side) -> Option<[u32; 2]> {
-        self.rings().find(|&ring| self.has_side(ring, side))
+    /// Whether a side of a ring runs along the whole of this one.
+    fn has_side(&self, ring: [u32; 2], side: Side) -> bool {
+        self.has_ends(ring, side) || self.outline(ring).sides_along(side.map(|v| self.point(v))).next().is_some()
+    }
+
+    /// The rings with this side; if none has it by its ends, those of which a side runs along it.
+    fn rings_with(&self, side: Side) -> Vec<[u32; 2]> {
+        let by_ends: Vec<[u32; 2]> = self.rings().filter(|&ring| self.has_ends(ring, side)).collect();
+        if by_ends.is_empty() { self.rings().filter(|&ring| self.has_side(ring, side)).collect() } else { by_ends }
+    }
+
+    /// The side of a ring, of which this may be a part.
+    fn whole_side(&self, ring: [u32; 2], side: Side) -> Side {
+        if self.has_ends(ring, side) {
+            return side;
+        }
+        let [p, q] = side.map(|v| self.point(v));
+        let corners = self.cycle(ring);
+        let sides = (0..corners.len()).map(|i| [corners[i], corners[(i + 1) % corners.len()]]);
+        let mut whole = sides.filter(|ends| {
+            let ends = ends.map(|v| self.point(v));
+            Outline::new(ends.into_iter()).sides_along([p, q]).next().is_some()
+        });
+        whole.next().unwrap_or(side)
     }
 
     /// The ring of a face with this side.
     fn ring_with(&self, face: u32, side: Side) -> [u32; 2] {
-        self.rings_of(face).find(|&ring| self.has_side(ring, side)).unwrap_or([face, 0])
+        let by_ends = self.rings_of(face).find(|&ring| self.has_ends(ring, side));
+        let any = || self.rings_of(face).find(|&ring| self.has_side(ring, side));
+        by_ends.or_else(any).unwrap_or([face, 0])
     }
 
     /// The ring of a face with this corner, the last one if several have it.
@@ -326,7 +489,14 @@ impl Told<'_> {
         self.rings_of(face).filter(|&ring| self.cycle(ring).contains(&vertex)).last().unwrap_or([face, 0])
     }
 
-    fn rings_of(&self, face: u32) -> impl Iterator<Item = [u32; 2]> + '_ {
+    fn rings_of(&self, face: u32) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
         (0..self.faces.cycle_range(face as usize).len() as u32).map(move |cycle| [face, cycle])
     }
+}
+
+/// One ring of each list, not the same if that can be.
+fn apart(ones: &[[u32; 2]], others: &[[u32; 2]]) -> ([u32; 2], [u32; 2]) {
+    let pairs = ones.iter().flat_map(|&one| others.iter().map(move |&other| (one, other)));
+    let first = || (ones.first().copied().unwrap_or([0, 0]), others.first().copied().unwrap_or([0, 0]));
+    pairs.clone().find(|(one, other)| one != other).unwrap_or_else(first)
 }

@@ -35,7 +35,7 @@
 //   formats       format.rs sniff.rs     by name or by content
 //   text          blocks.rs block.rs text.rs words.rs near.rs    files in pieces, words with places, numbers with their words,
 //                                             words that were meant
-//   faults        problem.rs load_error.rs misfit.rs write_error.rs       room.rs  asks for memory before it is needed
+//   faults        problem.rs load_error.rs misfit.rs outline.rs write_error.rs       room.rs  asks for memory before it is needed
 //   repair        mend.rs                polygons that are split so that they fit
 
 mod arrange;
@@ -61,6 +61,7 @@ mod near;
 mod nodes;
 pub mod obj;
 pub mod off;
+mod outline;
 pub mod ply;
 mod points;
 pub mod poly;
@@ -83,7 +84,7 @@ mod write;
 mod write_error;
 
 pub use crate::geometry::number::Number;
-pub use arrange::{arrange, arrange_with, describe, faults_with_places, on_grid};
+pub use arrange::{arrange, arrange_with, describe, faults_with_places, is_as_given, on_grid};
 pub use document::{Document, Read, ReadOptions};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;

@@ -10,14 +10,17 @@
 //! equal: exactly, with -0 = 0, and nothing else is joined. Equal points are found in the cells of a grid.
 //! Points are numbered in the order in which they first come in a ring that is kept.
 
+use super::document::ReadOptions;
 use super::nodes::Fault;
 use super::problem::ReadProblem;
 use super::soup::{Places, PolygonSoup, SegmentSoup, check_sizes};
 use super::text::LineCounter;
 use super::words::counted;
+use crate::geometry::number::Number;
 use crate::geometry::places::first_of_equals;
 use crate::ids::MAX_IDS;
-use crate::plane::check_coordinate;
+use crate::plane::predicates::{left_to_right, orientation};
+use crate::plane::{Point, check_coordinate};
 use crate::progress::Stage;
 use crate::topology::PolygonList;
 use std::fmt::{self, Write as _};
@@ -138,13 +141,13 @@ impl Rings {
         Ok(())
     }
 
-    /// Joins equal points and makes the faces. With `drop_degenerate`, rings with fewer than three distinct
-    /// points are dropped (a polygon with its outer ring) and noted; else they are an error. `places` tells the lines
-    /// and columns of bytes of the file.
+    /// Joins equal points and makes the faces. If the options say so, rings that enclose nothing are dropped and noted: an
+    /// outer ring with its polygon, or by itself. Else those with fewer than three distinct points are an error, and those
+    /// on a line are left to the builder. `places` tells the lines and columns of bytes of the file.
     pub(super) fn finish(
         self,
         source: &str,
-        drop_degenerate: bool,
+        options: &ReadOptions,
         places: impl Fn(&[u32]) -> Vec<[u32; 2]>,
         notes: &mut Vec<String>,
     ) -> Result<PolygonSoup, Fault> {
@@ -155,10 +158,12 @@ impl Rings {
         let mut offsets = Vec::with_capacity(self.ring_offsets.len());
         let (mut dropped, mut repeated) = (Vec::new(), Repaired::default());
         let (mut ring, mut point) = (0, 0);
+        let mut numbers = Vec::new();
         for (polygon, &end) in self.polygon_ends.iter().enumerate() {
             let path = self.path(polygon);
             let first_ring = ring;
-            let mut kept = true;
+            // Whether the outer ring is there, or not yet but may be without corners, or gone with its polygon.
+            let (mut begun, mut may_begin) = (false, true);
             while ring < end as usize {
                 let points = point..self.ring_ends[ring] as usize;
                 point = points.end;
@@ -166,27 +171,39 @@ impl Rings {
                 let removed = faces.read_ring(points);
                 repeated.add(removed, place);
                 let distinct = faces.distinct();
-                if distinct < 3 {
-                    if !drop_degenerate {
-                        let problem = ReadProblem::DegenerateRing { place: place(), distinct };
-                        return Err(Fault::at(self.ring_offsets[ring] as usize, problem));
-                    }
+                if distinct < 3 && !options.drop_degenerate_rings {
+                    let problem = ReadProblem::DegenerateRing { place: place(), distinct };
+                    return Err(Fault::at(self.ring_offsets[ring] as usize, problem));
+                }
+                let nothing = if options.drop_degenerate_rings { faces.without_area(&self.points) } else { None };
+                let is_outer = ring == first_ring;
+                let mut keep = |offset: usize, faces: &mut Faces, is_outer: bool| {
+                    faces.keep_ring(&self.points, &mut soup.points, &mut soup.faces, is_outer);
+                    offsets.push(self.ring_offsets[offset]);
+                    numbers.push((offset - first_ring) as u32);
+                };
+                if let Some(why) = nothing {
                     let others = end as usize - first_ring - 1;
                     let with_it = match others {
-                        _ if ring > first_ring || others == 0 => String::new(),
+                        _ if !is_outer || others == 0 || options.keep_inner_rings => String::new(),
                         1 => "; its polygon went with it, with 1 more ring".to_owned(),
                         _ => format!("; its polygon went with it, with {others} more rings"),
                     };
-                    let points = counted(distinct, "distinct point", "distinct points");
-                    dropped.push(format!("{} has only {points}{with_it}", place()));
-                    kept &= ring > first_ring;
-                } else if kept {
-                    faces.keep_ring(&self.points, &mut soup.points, &mut soup.faces, ring == first_ring);
-                    offsets.push(self.ring_offsets[ring]);
+                    dropped.push(format!("{} {why}{with_it}", place()));
+                    may_begin &= !is_outer || options.keep_inner_rings;
+                } else if begun || is_outer {
+                    keep(ring, &mut faces, is_outer);
+                    begun = true;
+                } else if may_begin {
+                    let inner = std::mem::take(&mut faces.ring);
+                    keep(first_ring, &mut faces, true);
+                    faces.ring = inner;
+                    keep(ring, &mut faces, false);
+                    begun = true;
                 }
                 ring += 1;
             }
-            if kept {
+            if begun {
                 soup.places.paths.push_str(path);
                 soup.places.path_ends.push(soup.places.paths.len() as u32);
                 if self.any_name {
@@ -196,6 +213,9 @@ impl Rings {
         }
         check_sizes(soup.points.len(), &soup.faces)?;
         soup.places.ring_places = places(&offsets);
+        if !dropped.is_empty() {
+            soup.places.ring_numbers = numbers;
+        }
         note_dropped(&dropped, notes);
         repeated.note(
             "point that repeats the one before was",
@@ -252,6 +272,23 @@ impl Faces {
         }
     }
 
+    /// Why the ring encloses nothing, if so: it has too few points, or they lie on one line. Decided exactly.
+    fn without_area(&self, from: &[[f64; 2]]) -> Option<String> {
+        let distinct = self.distinct();
+        if distinct < 3 {
+            return Some(format!("has only {}", counted(distinct, "distinct point", "distinct points")));
+        }
+        let point = |&corner: &u32| Point::from(from[corner as usize]);
+        let corners = || self.ring.iter().map(point);
+        let (a, b) = (point(&self.ring[0]), point(&self.ring[1]));
+        if corners().any(|c| !orientation(a, b, c).is_eq()) {
+            return None;
+        }
+        let first = corners().min_by(|&p, &q| left_to_right(p, q)).unwrap_or(a);
+        let last = corners().max_by(|&p, &q| left_to_right(p, q)).unwrap_or(b);
+        Some(format!("has all its points on one line, from {} to {}", shown(first), shown(last)))
+    }
+
     /// Numbers the points of the ring and appends it to the faces.
     fn keep_ring(&mut self, from: &[[f64; 2]], points: &mut Vec<[f64; 3]>, faces: &mut PolygonList, outer: bool) {
         for corner in &mut self.ring {
@@ -265,6 +302,11 @@ impl Faces {
         }
         if outer { faces.push_face(&self.ring) } else { faces.push_hole(&self.ring) }
     }
+}
+
+/// A point as the file has it: y is turned later.
+fn shown(p: Point) -> String {
+    format!("({}, {})", Number(p.x), Number(p.y))
 }
 
 /// Things that were repaired, and where the first of them was.

@@ -67,6 +67,7 @@ impl PolygonSoup {
         // Cycles may have gone with their faces.
         if faces.cycle_count() != self.faces.cycle_count() {
             places.ring_places.clear();
+            places.ring_numbers.clear();
         }
         let is_blocked = |f: &u32| self.blocked.binary_search(f).is_ok();
         let blocked = (0..).zip(origins).filter(|(_, f)| is_blocked(f)).map(|(i, _)| i).collect();
@@ -152,6 +153,8 @@ pub struct Places {
     pub(super) ring_places: Vec<[u32; 2]>,
     /// Whether the y of the points was negated: coordinates in messages are those of the file.
     pub(super) y_down: bool,
+    /// The number of each cycle among the rings of its polygon in the file; empty if none was left out.
+    pub(super) ring_numbers: Vec<u32>,
     /// The paths of the faces of a JSON file, one after the other.
     pub(super) paths: String,
     /// Where each path ends; empty if the format has lines.

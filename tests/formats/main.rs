@@ -9,5 +9,6 @@ mod outputs;
 mod round_trips;
 mod segments;
 mod shared;
+mod shared_sides;
 mod soups;
 mod support;

@@ -8,7 +8,7 @@
 mod algorithm;
 mod make;
 
-use super::choice::pair;
+use super::choice::{pair, whole, within};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
 use super::picture::{Target, title};
@@ -68,7 +68,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "DIR")]
     frames: Option<PathBuf>,
     /// The greatest number of events that are shown; of more, some are left out evenly
-    #[arg(long, value_name = "NUMBER", default_value_t = 40)]
+    #[arg(long, value_name = "NUMBER", default_value_t = 40, value_parser = whole::<usize>)]
     most: usize,
     /// One frame at a time in the .svg too, with links and without a script
     #[arg(long, requires = "output")]
@@ -109,7 +109,7 @@ struct About {
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     direction: Option<[f64; 3]>,
     /// catmull-clark: how often; 1 unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=5))]
+    #[arg(long, value_name = "N", value_parser = within(1u8..=5))]
     steps: Option<u8>,
 }
 

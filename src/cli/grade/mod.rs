@@ -24,6 +24,7 @@ mod signals;
 mod targets;
 mod terms;
 
+use super::choice::{number, positive, whole, within};
 use super::input::text_of;
 use super::{Answer, Failure, Output, failure};
 use class::{Class, KEPT};
@@ -120,10 +121,10 @@ pub(crate) struct Args {
     #[arg(long)]
     again: bool,
     /// Name pairs of submissions of which so much is the same, in percent, names and comments aside
-    #[arg(long, value_name = "PERCENT", default_value_t = 80, value_parser = clap::value_parser!(u8).range(1..=100))]
+    #[arg(long, value_name = "PERCENT", default_value_t = 80, value_parser = within(1u8..=100))]
     similar: u8,
     /// The seed of the random cases; without it, one is drawn for the batch
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<u64>)]
     seed: Option<u64>,
     /// Hidden cases: a file with your own seed and weights, kept away from students
     #[arg(long, value_name = "FILE")]
@@ -147,13 +148,13 @@ pub(crate) struct Args {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["from_report", "merge"])]
     own: Option<PathBuf>,
     /// Exit code 1 if a submission has less than this share of the points, in percent
-    #[arg(long, value_name = "PERCENT")]
+    #[arg(long, value_name = "PERCENT", value_parser = number)]
     fail_under: Option<f64>,
     /// A folder that keeps reports, and the seed if none is given: equal files are not graded again
     #[arg(long, value_name = "DIR")]
     cache: Option<PathBuf>,
     /// How many are graded at the same time; without it, one for each core
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", value_parser = positive)]
     workers: Option<NonZeroUsize>,
 }
 

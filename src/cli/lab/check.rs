@@ -1,5 +1,6 @@
 //! `dcel lab check`: how far the work is, and what to do next.
 
+use super::super::choice::whole;
 use super::super::{Answer, Failure, Output, failure};
 use super::{folder, hint, own, progress};
 use dcel_kit::files::write_whole;
@@ -52,7 +53,7 @@ pub(super) struct What {
     #[arg(long)]
     all: bool,
     /// The seed of the random cases, to see the same ones again; LAB_SEED does the same
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<u64>)]
     seed: Option<u64>,
 }
 

@@ -5,6 +5,7 @@
 //!   dcel lab hint  ──▶ the next hint of that task
 //! ```
 
+use super::super::choice::{whole, within};
 use super::super::{Answer, Failure, Output};
 use super::folder;
 use dcel_kit::files::write_whole;
@@ -27,10 +28,10 @@ Examples:
   dcel lab hint 5 --level 2")]
 pub(crate) struct Args {
     /// The number of a task; without it, the next hint of the task at hand
-    #[arg(value_name = "TASK")]
+    #[arg(value_name = "TASK", value_parser = whole::<u32>)]
     task: Option<u32>,
     /// 1 a nudge, 2 a pointer, 3 nearly the code; without it, 1 for a task that is named
-    #[arg(long, value_name = "LEVEL", value_parser = clap::value_parser!(u8).range(1..=3))]
+    #[arg(long, value_name = "LEVEL", value_parser = within(1u8..=3))]
     level: Option<u8>,
     /// The lab's folder; without it, the one you are in
     #[arg(long, value_name = "DIR")]

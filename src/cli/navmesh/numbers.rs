@@ -1,10 +1,6 @@
 //! Numbers of the command line, and numbers that messages propose.
 
-/// A number of the command line.
-pub(super) fn number(text: &str) -> Result<f64, String> {
-    let finite = text.parse().ok().filter(|x: &f64| x.is_finite());
-    finite.ok_or_else(|| "this is no finite number: write it like 1.5".to_owned())
-}
+pub(super) use crate::choice::number;
 
 /// A number with few digits that is no less.
 pub(super) fn above(x: f64) -> f64 {

@@ -1,6 +1,7 @@
 //! `dcel navmesh random`: points at random.
 
 use super::super::answer::fields;
+use super::super::choice::whole;
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::reading::{Input, MapArgs};
@@ -21,10 +22,10 @@ pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
     /// How many
-    #[arg(long, value_name = "N", default_value_t = 10)]
+    #[arg(long, value_name = "N", value_parser = whole::<usize>, default_value_t = 10)]
     count: usize,
     /// The same seed gives the same points
-    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    #[arg(long, value_name = "SEED", value_parser = whole::<u64>, default_value_t = 1)]
     seed: u64,
     /// Answer in JSON
     #[arg(long)]

@@ -44,7 +44,7 @@ pub(super) struct MapArgs {
     max_slope: Option<f64>,
     /// Look at the plan of one layer alone, where storeys lie over each other; dcel navmesh info tells the
     /// layers
-    #[arg(long, value_name = "N", requires = "up", help_heading = "Reading")]
+    #[arg(long, value_name = "N", value_parser = crate::choice::whole::<usize>, requires = "up", help_heading = "Reading")]
     layer: Option<usize>,
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
@@ -193,6 +193,7 @@ impl MapArgs {
             y_down: self.y_down,
             format: self.format,
             drop_degenerate_rings: self.mend,
+            keep_inner_rings: self.mend,
             close_rings: self.mend,
             ..ReadOptions::default()
         };

@@ -4,6 +4,7 @@ use super::super::failure::{Failure, say};
 use super::super::{Answer, Output};
 use super::ends::{Moves, Snap};
 use super::map::Map;
+use super::numbers::number;
 use super::path::Which;
 use super::reading::{MapArgs, Preparation};
 use super::tell::no_route;
@@ -48,7 +49,7 @@ pub(super) struct Args {
     optimum: Kind,
     /// How much of its length a path may differ from what is stated, beyond half a unit of the last
     /// digit that is stated
-    #[arg(long, value_name = "PART", default_value_t = 1e-9)]
+    #[arg(long, value_name = "PART", value_parser = number, default_value_t = 1e-9)]
     tolerance: f64,
     /// Answer in JSON
     #[arg(long)]

@@ -1,6 +1,7 @@
 //! `dcel solid figure`: a solid with its hidden lines.
 
 use super::common::{open, vector};
+use crate::choice::number;
 use crate::input::InputOptions;
 use crate::looks::Page;
 use crate::picture::Target;
@@ -31,7 +32,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     towards: Option<[f64; 3]>,
     /// How far away the eye is, in sizes of the solid, at least 1.1; infinitely far without it
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number)]
     distance: Option<f64>,
     /// Leave hidden lines out
     #[arg(long)]

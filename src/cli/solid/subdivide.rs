@@ -1,6 +1,7 @@
 //! `dcel solid subdivide`: finer and rounder.
 
 use super::common::{Target, check_finer, open};
+use crate::choice::{number, within};
 use crate::input::InputOptions;
 use crate::{Answer, Failure, Output};
 use dcel_kit::EdgeId;
@@ -24,10 +25,10 @@ pub(crate) struct Args {
     #[arg(long = "loop")]
     by_loop: bool,
     /// How often
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=8))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = within(1u8..=8))]
     steps: u8,
     /// Keep edges sharp whose angle inside the solid is less than so many degrees
-    #[arg(long, value_name = "DEGREES")]
+    #[arg(long, value_name = "DEGREES", value_parser = number)]
     sharper: Option<f64>,
     #[command(flatten)]
     target: Target,
