@@ -264,7 +264,7 @@ struct Slab {
 }
 
 impl Slab {
-    fn new(points: impl Iterator<Item = Point> + Clone, first: Point, last: Point) -> Self {
+    fn new(points: &(impl Iterator<Item = Point> + Clone), first: Point, last: Point) -> Self {
         let along = direction(first, last);
         let least =
             |[x, y]: [f64; 2]| points.clone().map(|p| (p.x - first.x) * x + (p.y - first.y) * y).fold(0.0, f64::min);
@@ -317,7 +317,7 @@ impl Boxes {
             for (i, first) in (0..n).step_by(size).enumerate() {
                 let last = (first + size).min(n);
                 let sides = (first..=last).map(|p| points[p % n]);
-                boxes[level + i] = Some(Slab::new(sides, points[first], points[last % n]));
+                boxes[level + i] = Some(Slab::new(&sides, points[first], points[last % n]));
             }
             (level, size) = (level / 2, 2 * size);
         }
