@@ -9,8 +9,9 @@
 
 use super::ObstacleError;
 use super::book::Book;
+use super::insert::meets_inside;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
-use crate::plane::{PlaneJournal, Subdivision, most_looked_at};
+use crate::plane::{InsertEdgeError, PlaneJournal, Subdivision, most_looked_at};
 use crate::topology::{Change, InnerComponent, Slot};
 use std::collections::BTreeSet;
 
@@ -64,9 +65,29 @@ fn tie(map: &mut Subdivision, face: FaceId, rec: &mut PlaneJournal) -> Result<()
         };
         let outer: Vec<_> = map.incident_vertices(face).collect();
         let pairs = inner.iter().flat_map(|&v| outer.iter().map(move |&w| [v, w]));
-        // Each look is one at the whole face, and so is the edge.
-        let mut looked_at = pairs.take_while(|_| left.checked_sub(size).inspect(|&rest| left = rest).is_some());
-        let Some([v, w]) = looked_at.find(|&[v, w]| map.can_insert_edge(v, w).is_ok()) else { return Ok(()) };
+        // A look at the whole face costs its size, and so does the edge. What is in the way to one vertex is often in the
+        // way to the next one.
+        let (mut in_way, mut fit) = (None, None);
+        for [v, w] in pairs {
+            let way = [v, w].map(|v| map.point(v));
+            let is_hidden = in_way.is_some_and(|edge| meets_inside(way, edge));
+            let Some(rest) = left.checked_sub(if is_hidden { 1 } else { size }) else { break };
+            left = rest;
+            if is_hidden {
+                continue;
+            }
+            match map.can_insert_edge(v, w) {
+                Ok(()) => {
+                    fit = Some([v, w]);
+                    break;
+                }
+                Err(InsertEdgeError::Crosses { crossed: h, .. }) => {
+                    in_way = Some([map.origin(h), map.destination(h)].map(|v| map.point(v)));
+                }
+                Err(_) => {}
+            }
+        }
+        let Some([v, w]) = fit else { return Ok(()) };
         map.insert_edge_with(v, w, rec).map_err(|_| ObstacleError::Concave { face })?;
     }
     Ok(())

@@ -121,7 +121,7 @@ fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2]) -> Vec<EdgeId> {
 }
 
 /// Whether the segment has a point inside an edge, its ends left out; not if it runs along the edge.
-fn meets_inside([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
+pub(super) fn meets_inside([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
     let of_edge = [p, q].map(|p| orientation(a, b, p));
     if of_edge[0] == of_edge[1] {
         return false;

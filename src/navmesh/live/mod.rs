@@ -301,6 +301,8 @@ impl LiveMesh {
     ///
     /// Cost: O(k log k) for k sides of the faces the obstacle touches, and of the holes it reaches into, and that of
     /// [`block`](NavMesh::block) for these faces.
+    /// Besides, O(k) for each edge of the given map that comes back, as the face that it divides is looked at: so O(k²) where
+    /// a long wall crossed many.
     ///
     /// # Errors
     /// [`ObstacleError::NoSuchObstacle`].
