@@ -83,12 +83,19 @@ impl Told<'_> {
         };
         let (one, other) = (ring(first), ring(second));
         let edge = format!("the edge {} -> {}", self.at(side[0]), self.at(side[1]));
-        // What a hole goes round is no part of its polygon.
-        let two = match one[1] + other[1] {
-            0 => self.two(one, other, "overlap"),
-            _ => format!("{} and {} overlap", self.polygon(first), self.polygon(second)),
+        // What a hole goes round is no part of its polygon; nobody knows yet whether the hole lies inside.
+        let what = match [one, other].iter().find(|ring| ring[1] > 0) {
+            None => format!("{}: both lie on the same side of {edge}", self.two(one, other, "overlap")),
+            Some(&hole) => {
+                let two = self.two(one, other, "have in common");
+                let hole = self.name(hole);
+                format!(
+                    "{two} {}: as {hole} is a hole, both polygons would lie on the same side of it",
+                    self.side(side)
+                )
+            }
         };
-        Misfit { what: format!("{two}: both lie on the same side of {edge}"), rings: vec![one, other] }
+        Misfit { what, rings: vec![one, other] }
     }
 
     /// Two rings of one polygon run along an edge.
@@ -134,9 +141,10 @@ impl Told<'_> {
             let face = rings[0].0[0];
             let holes = if rings[0].0[1] == 0 { &rings[1..] } else { rings };
             let whole = self.outline([face, 0]).place_of(v).is_gt();
+            let hidden = self.rings_of(face).skip(1).any(|hole| self.outline(hole).place_of(v).is_gt());
             let mut covered = if rings[0].0[1] == 0 { rings[0].1.clone() } else { vec![whole; rings[0].1.len()] };
             for (i, covered) in covered.iter_mut().enumerate() {
-                *covered &= !holes.iter().any(|hole| hole.1[i]);
+                *covered &= !hidden && !holes.iter().any(|hole| hole.1[i]);
             }
             polygons.push((rings[0].0, covered));
         }
@@ -169,14 +177,16 @@ impl Told<'_> {
             };
             return Misfit { what, rings: vec![one, other] };
         }
-        // Nothing overlaps: sides of different length run along each other.
-        let other = |one: [u32; 2]| around.iter().map(|ring| ring.0).find(|&other| other != one);
-        let one = around.iter().map(|ring| ring.0).find(|ring| faces.contains(&ring[0])).unwrap_or([faces[0], 0]);
-        let what = match other(one) {
-            Some(other) => format!("{} at {}", self.two(one, other, "run along each other"), self.at(vertex)),
-            None => format!("{} runs along itself at {}", self.name(one), self.at(vertex)),
+        // Nothing overlaps there: sides of different length may run along each other.
+        let along = |&(i, j): &(usize, usize)| {
+            let ends = [wedges[i].1, wedges[j].1].concat();
+            Directions::new(v, ends).count() < 4
         };
-        Misfit { what, rings: std::iter::once(one).chain(other(one)).collect() }
+        let pair = pairs(wedges.len()).find(along);
+        let (i, j) = pair.unwrap_or((0, wedges.len().saturating_sub(1)));
+        let [one, other] = [i, j].map(|k| wedges.get(k).map_or([faces[0], 0], |wedge| wedge.0));
+        let do_what = if pair.is_some() { "run along each other" } else { "do not fit together" };
+        Misfit { what: format!("{} at {}", self.two(one, other, do_what), self.at(vertex)), rings: vec![one, other] }
     }
 
     /// A part of the input lies in a face, or begins there; `face` is one of those near.

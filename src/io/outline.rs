@@ -79,6 +79,11 @@ impl Directions {
         Self { v, all }
     }
 
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.all.len()
+    }
+
     /// Whether a wedge covers what follows each direction.
     pub(super) fn covered(&self, [from, to]: [Point; 2]) -> Vec<bool> {
         let number = |p: Point| self.all.iter().position(|&q| by_direction(self.v, p, q).is_eq()).unwrap_or(0);

@@ -170,7 +170,7 @@ fn outer_rings_that_enclose_nothing_are_told_with_their_other_rings() {
                 geometry polygon 0";
     assert!(told.err.contains(note), "{told:?}");
     assert_eq!(told.json()["mended"]["covered_once"], json!(1));
-    // One that is no ring at all goes, and its polygon with it: not without a word.
+    // Left out without --mend, it takes its polygon with it: not without a word.
     folder.write("dot.json", &polygon("[[0,0],[0,0],[0,0],[0,0]]"));
     let told = folder.dcel("info dot.json --drop-degenerate-rings");
     let note = "geometry polygon 0 ring 0 has only 1 distinct point; its polygon went with it, with 1 more ring";
