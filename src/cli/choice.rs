@@ -22,6 +22,11 @@ pub(crate) fn number(text: &str) -> Result<f64, String> {
     finite.ok_or_else(|| "this is no finite number: write it like 1.5".to_owned())
 }
 
+/// A coordinate of a point that is asked about: what is not finite is told with the point.
+pub(crate) fn coordinate(text: &str) -> Result<f64, String> {
+    text.parse().map_err(|_| "this is no finite number: write it like 1.5".to_owned())
+}
+
 /// A whole number from 0, as large as its type takes.
 pub(crate) fn whole<T: FromStr>(text: &str) -> Result<T, String> {
     text.parse().map_err(|_| "write a whole number, 0 or more, for example 3".to_owned())
@@ -38,8 +43,14 @@ where
     T: FromStr + PartialOrd + Display + Clone + Send + Sync + 'static,
 {
     move |text| {
-        let found = text.parse().ok().filter(|number| range.contains(number));
-        found.ok_or_else(|| format!("write a whole number from {} to {}", range.start(), range.end()))
+        let (least, most) = (range.start(), range.end());
+        match text.parse() {
+            Ok(number) if range.contains(&number) => Ok(number),
+            Ok(number) => {
+                Err(format!("{number} is not in {least}..={most}: write a whole number from {least} to {most}"))
+            }
+            Err(_) => Err(format!("write a whole number from {least} to {most}")),
+        }
     }
 }
 

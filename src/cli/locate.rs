@@ -1,7 +1,7 @@
 //! `dcel locate`: where points lie.
 
 use super::answer::{fields, tell};
-use super::choice::number;
+use super::choice::coordinate;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
@@ -34,7 +34,7 @@ pub(crate) struct Args {
     /// The file, or - for standard input
     file: PathBuf,
     /// The points: x and y of each
-    #[arg(value_name = "X Y", allow_negative_numbers = true, value_parser = number, required_unless_present = "points")]
+    #[arg(value_name = "X Y", allow_negative_numbers = true, value_parser = coordinate, required_unless_present = "points")]
     coordinates: Vec<f64>,
     /// A file of points, one on each line
     #[arg(long, value_name = "FILE", conflicts_with = "coordinates")]

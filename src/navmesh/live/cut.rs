@@ -9,9 +9,10 @@
 
 use super::ObstacleError;
 use super::book::Book;
-use super::insert::meets_inside;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
-use crate::plane::{InsertEdgeError, PlaneJournal, Subdivision, most_looked_at};
+use crate::navmesh::location::is_between;
+use crate::plane::predicates::orientation;
+use crate::plane::{InsertEdgeError, PlaneJournal, Point, Subdivision, most_looked_at};
 use crate::topology::{Change, InnerComponent, Slot};
 use std::collections::BTreeSet;
 
@@ -133,4 +134,18 @@ pub(super) fn written_faces(map: &Subdivision, changes: &[Change]) -> BTreeSet<F
         _ => None,
     };
     changes.iter().filter_map(half_edge).flat_map(|h| [map.face(h), map.face(h.twin())]).collect()
+}
+
+/// Whether the segment has a point inside an edge, its ends left out; not if it runs along the edge.
+pub(super) fn meets_inside([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
+    let of_edge = [p, q].map(|p| orientation(a, b, p));
+    if of_edge[0] == of_edge[1] {
+        return false;
+    }
+    let of_segment = [a, b].map(|v| orientation(p, q, v));
+    if of_segment.iter().any(|o| o.is_eq()) || of_segment[0] == of_segment[1] {
+        return false;
+    }
+    let on = |end: Point, side: std::cmp::Ordering| side.is_ne() || is_between(a, b, end);
+    on(p, of_edge[0]) && on(q, of_edge[1])
 }

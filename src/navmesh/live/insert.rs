@@ -12,7 +12,7 @@
 
 use super::ObstacleError;
 use super::book::Book;
-use super::cut::{changed_faces, make_convex, splits, take_out, written_faces};
+use super::cut::{changed_faces, make_convex, meets_inside, splits, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::location::is_between;
 use crate::navmesh::marks::ID;
@@ -118,20 +118,6 @@ fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2]) -> Vec<EdgeId> {
         }
     });
     found
-}
-
-/// Whether the segment has a point inside an edge, its ends left out; not if it runs along the edge.
-pub(super) fn meets_inside([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
-    let of_edge = [p, q].map(|p| orientation(a, b, p));
-    if of_edge[0] == of_edge[1] {
-        return false;
-    }
-    let of_segment = [a, b].map(|v| orientation(p, q, v));
-    if of_segment.iter().any(|o| o.is_eq()) || of_segment[0] == of_segment[1] {
-        return false;
-    }
-    let on = |end: Point, side: std::cmp::Ordering| side.is_ne() || is_between(a, b, end);
-    on(p, of_edge[0]) && on(q, of_edge[1])
 }
 
 /// Whether two segments have more than a point in common.
