@@ -14,7 +14,6 @@ use super::ObstacleError;
 use super::book::Book;
 use super::cut::{changed_faces, make_convex, meets_inside, splits, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::navmesh::location::is_between;
 use crate::navmesh::marks::ID;
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;
