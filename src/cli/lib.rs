@@ -209,9 +209,12 @@ fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Er
     }
     let mut command = with_numbers(Cli::command());
     let mut arguments: Vec<OsString> = arguments.into_iter().map(plain_number).collect();
-    // Help about help: `dcel help --help` is `dcel help`, and `dcel help lab -h` is `dcel help lab`.
-    if arguments.get(1).is_some_and(|first| first == "help") {
-        arguments.retain(|argument| argument != "--help" && argument != "-h");
+    // Help about help: `dcel help --help` is `dcel help`.
+    if let [_, first, second] = &arguments[..]
+        && first == "help"
+        && (second == "--help" || second == "-h")
+    {
+        arguments.truncate(2);
     }
     let matches = command.try_get_matches_from_mut(arguments)?;
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))

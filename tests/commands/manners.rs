@@ -159,7 +159,6 @@ fn every_option_is_in_the_help_and_explained() {
         assert!(options.contains(&"--help".to_owned()), "{command}: {options:?}");
         let help = folder.dcel(&format!("{command} --help")).fine();
         assert_eq!(folder.dcel(&format!("help {command}")).fine(), help);
-        assert_eq!(folder.dcel(&format!("help {command} --help")).fine(), help);
         let lines: Vec<&str> = help.lines().map(str::trim).collect();
         for option in &options {
             let explained = lines
