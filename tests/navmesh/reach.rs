@@ -96,7 +96,7 @@ fn the_field_on_cells_has_the_lengths_of_paths() {
         let (width, height) = (8 + random.below(12) as u32, 3 + random.below(9) as u32);
         let open: Vec<bool> = (0..width * height).map(|i| i == 0 || random.unit() > 0.3).collect();
         let is_open = |x: u32, y: u32| match seed % 3 {
-            0 => x % 2 == 0 || y % 2 == 0,
+            0 => x.is_multiple_of(2) || y.is_multiple_of(2),
             1 => open[(y * width + x) as usize],
             _ => open[((y / 2) * width + x) as usize] || x == 0,
         };
