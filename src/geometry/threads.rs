@@ -8,15 +8,10 @@
 
 /// Whether there is a second thread: else work need not be prepared for it.
 pub(crate) fn are_many() -> bool {
-    count() > 1
-}
-
-/// How many threads there are.
-pub(crate) fn count() -> usize {
     #[cfg(feature = "parallel")]
-    return rayon::current_num_threads();
+    return rayon::current_num_threads() > 1;
     #[cfg(not(feature = "parallel"))]
-    return 1;
+    return false;
 }
 
 /// Both pieces of work.

@@ -30,9 +30,9 @@ pub(super) struct Divided {
     pub(super) outer: u32,
 }
 
-/// Parts with more points than this, and than a quarter of what each thread has, are shared by two threads. The edges get the numbers that one thread would give them:
+/// Parts with more points than this are shared by two threads. The edges get the numbers that one thread would give them:
 /// no half leaves gaps (see [`Work::rise`]).
-const LARGE: usize = 1 << 15;
+const LARGE: u32 = 1 << 15;
 
 /// Triangulates distinct points, if there are two or more. Points on one line become a path.
 pub(super) fn divide_and_conquer(ordered: &Ordered) -> Option<Divided> {
@@ -53,7 +53,7 @@ pub(super) fn divide_and_conquer(ordered: &Ordered) -> Option<Divided> {
 
 /// The points from `low` to `high`, with half-edges of their own, and room for those of `room` points.
 fn whole<'a>(sites: &'a [Site], stage: &'a Stage, low: u32, high: u32, room: u32) -> (Work<'a>, Part) {
-    let shared = threads::are_many() && (high - low) as usize > (sites.len() / (4 * threads::count())).max(LARGE);
+    let shared = threads::are_many() && high - low > LARGE;
     let Some((cut, axis)) = shared.then(|| highest_bit(sites, low, high)).flatten() else {
         let mut work = Work { sites, stage, halves: Halves::with_room(3 * room as usize) };
         let part = work.by_key(low, high);

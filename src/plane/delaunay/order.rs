@@ -12,7 +12,6 @@
 //! turn); Morton, *A computer oriented geodetic data base*, 1966 (the order).
 
 use crate::geometry::predicates::left_to_right;
-use crate::geometry::threads;
 use crate::plane::Point;
 use std::cmp::Ordering;
 
@@ -59,55 +58,11 @@ pub(super) struct Ordered {
     pub(super) repeated: Vec<(u32, u32)>,
 }
 
-/// More points than this are put in order by two threads, each those on its side of a key.
-const LARGE: usize = 1 << 15;
-/// So many keys are a piece of work.
-const PIECE: usize = 1 << 14;
-
 /// Puts points in order. Expected O(n) when they are spread over the plane, O(n log n) always.
 pub(super) fn ordered(points: &[Point]) -> Ordered {
     // About 16 cells for a point, in at most 2^30 cells.
     let bits = ((points.len().max(2).ilog2() + 5) & !1).min(30);
-    let cells = Cells::round(points, bits / 2);
-    let site = |(index, (&point, key)): (usize, (&Point, u32))| Site { point, key, index: index as u32 };
-    if !threads::are_many() || points.len() <= LARGE {
-        return in_order(points.iter().zip(points.iter().map(|&p| cells.key(p))).enumerate().map(site).collect(), bits);
-    }
-    let mut keys = vec![0; points.len()];
-    threads::pieces(&mut keys, PIECE, |first, keys| {
-        keys.iter_mut().zip(&points[first..]).for_each(|(key, &p)| *key = cells.key(p));
-    });
-    let (cut, below) = cut_in_two(&keys, bits);
-    let side = |room: usize, is_here: &(dyn Fn(u32) -> bool + Sync)| {
-        let mut sites = Vec::with_capacity(room);
-        sites.extend(
-            points.iter().zip(keys.iter().copied()).enumerate().filter(|&(_, (_, key))| is_here(key)).map(site),
-        );
-        in_order(sites, bits)
-    };
-    let (mut low, high) =
-        threads::both(|| side(keys.len(), &|key| key < cut), || side(keys.len() - below, &|key| key >= cut));
-    low.sites.extend(high.sites);
-    low.repeated.extend(high.repeated);
-    low.repeated.sort_unstable();
-    low
-}
-
-/// A key that about half of the keys are below, and how many these are. O(n).
-fn cut_in_two(keys: &[u32], bits: u32) -> (u32, usize) {
-    let shift = bits.saturating_sub(12);
-    let mut counts = vec![0_usize; 1 << (bits - shift)];
-    keys.iter().for_each(|key| counts[(key >> shift) as usize] += 1);
-    let (mut below, mut cut) = (0, 0);
-    while 2 * below < keys.len() {
-        below += counts[cut];
-        cut += 1;
-    }
-    ((cut as u32) << shift, below)
-}
-
-/// Puts sites in the order of their keys; the points of each cell are parted at their middle.
-fn in_order(mut sites: Vec<Site>, bits: u32) -> Ordered {
+    let mut sites = keyed(points, bits / 2);
     sort_by_key(&mut sites, bits);
     let mut repeated = Vec::new();
     let mut kept = 0;
@@ -131,37 +86,24 @@ fn in_order(mut sites: Vec<Site>, bits: u32) -> Ordered {
     Ordered { sites, repeated }
 }
 
-/// The square cells that give points their keys.
-struct Cells {
-    /// Bits for the column, and as many for the row.
-    half: u32,
-    /// The least and the greatest coordinate.
-    across: (f64, f64),
-    up: (f64, f64),
-}
-
-impl Cells {
-    fn round(points: &[Point], half: u32) -> Self {
-        let bounds = |coordinate: fn(&Point) -> f64| {
-            let ends = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
-            points.iter().map(coordinate).fold((f64::INFINITY, f64::NEG_INFINITY), ends)
-        };
-        let (across, up) = threads::both(|| bounds(|p| p.x), || bounds(|p| p.y));
-        Self { half, across, up }
-    }
-
-    /// The bits of the column and the row of a point in turn.
-    #[inline]
-    fn key(&self, p: Point) -> u32 {
-        spread(self.cell(p.x, self.across)) << 1 | spread(self.cell(p.y, self.up))
-    }
-
-    /// Every step is monotone, so that a greater coordinate never gets a smaller cell.
-    #[inline]
-    fn cell(&self, x: f64, (low, high): (f64, f64)) -> u32 {
+/// The points with their keys: `half` bits for the column and as many for the row.
+fn keyed(points: &[Point], half: u32) -> Vec<Site> {
+    let bounds = |coordinate: fn(&Point) -> f64| {
+        let ends = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
+        points.iter().map(coordinate).fold((f64::INFINITY, f64::NEG_INFINITY), ends)
+    };
+    let cells = f64::from(1_u32 << half);
+    // Every step is monotone, so that a greater coordinate never gets a smaller cell.
+    let cell = |x: f64, (low, high): (f64, f64)| {
         let share = if high > low { (x - low) / (high - low) } else { 0.0 };
-        ((share * f64::from(1_u32 << self.half)) as u32).min((1 << self.half) - 1)
-    }
+        ((share * cells) as u32).min((1 << half) - 1)
+    };
+    let (across, up) = (bounds(|p| p.x), bounds(|p| p.y));
+    let site = |(index, &point): (usize, &Point)| {
+        let key = spread(cell(point.x, across)) << 1 | spread(cell(point.y, up));
+        Site { point, key, index: index as u32 }
+    };
+    points.iter().enumerate().map(site).collect()
 }
 
 /// Puts a 0 before each of the lower 16 bits.
