@@ -65,8 +65,9 @@ fn reading() -> Vec<f64> {
     growth("its text (dcel) to structure", &SIZES, |count| {
         let mut text = Vec::new();
         write(&mut text, &Model::planar(&delaunay(count)), Format::Dcel).expect("to memory");
-        move || match read_bytes(&text, Format::Dcel, "text", &ReadOptions::default()).map(|read| read.document) {
-            Ok(Document::Table(table)) => Subdivision::from_table(&table).expect("its own text"),
+        let columns = ReadOptions { columns: true, ..ReadOptions::default() };
+        move || match read_bytes(&text, Format::Dcel, "text", &columns).map(|read| read.document) {
+            Ok(Document::Columns(mut table)) => Subdivision::from_columns(&mut table).expect("its own text"),
             other => panic!("{:?}", other.err()),
         }
     })

@@ -33,11 +33,12 @@
 //   segments      segments.rs wkt.rs poly.rs -> arrange.rs
 //   others        dcel.rs tables.rs      whole structures       scen/  queries       points.rs  points alone
 //   formats       format.rs sniff.rs     by name or by content
-//   text          blocks.rs block.rs text.rs words.rs near.rs    files in pieces, words with places, numbers with their words,
-//                                             words that were meant
+//   text          blocks.rs block.rs     files in pieces       text.rs announced.rs    words with places, numbers with their words
+//                 words.rs near.rs       words that were meant
 //   faults        problem.rs load_error.rs misfit.rs outline.rs write_error.rs       room.rs  asks for memory before it is needed
 //   repair        mend.rs                polygons that are split so that they fit
 
+mod announced;
 mod arrange;
 mod arrays;
 mod block;

@@ -7,7 +7,8 @@
 //!      ●─────────●
 //! ```
 
-use crate::plane::predicates::{left_to_right, orientation};
+use crate::plane::cycle::{by_direction, on_segment, surrounds};
+use crate::plane::predicates::left_to_right;
 use crate::plane::{Point, is_counter_clockwise};
 use std::cmp::Ordering;
 
@@ -25,7 +26,7 @@ impl Outline {
 
     /// The sides that run along the whole of `p -> q`, in either direction.
     pub(super) fn sides_along(&self, [p, q]: [Point; 2]) -> impl Iterator<Item = [Point; 2]> + '_ {
-        self.sides().filter(move |&side| p != q && on(side, p) && on(side, q))
+        self.sides().filter(move |&[a, b]| p != q && on_segment(a, b, p) && on_segment(a, b, q))
     }
 
     /// Whether one of the corners is here.
@@ -45,24 +46,17 @@ impl Outline {
         let n = self.0.len();
         let [before, after] = match self.0.iter().position(|&corner| corner == v) {
             Some(i) => [self.0[(i + n - 1) % n], self.0[(i + 1) % n]],
-            None => self.sides().find(|&side| on(side, v))?,
+            None => self.sides().find(|&[a, b]| on_segment(a, b, v))?,
         };
         Some(if is_counter_clockwise(&self.0) { [after, before] } else { [before, after] })
     }
 
     /// `Greater` if it goes round the point an odd number of times, `Equal` if the point lies on it.
     pub(super) fn place_of(&self, p: Point) -> Ordering {
-        let mut inside = false;
-        for side in self.sides() {
-            if on(side, p) {
-                return Ordering::Equal;
-            }
-            let [a, b] = side;
-            if (a.y > p.y) != (b.y > p.y) && orientation(a, b, p).is_gt() == (b.y > a.y) {
-                inside = !inside;
-            }
+        if self.sides().any(|[a, b]| on_segment(a, b, p)) {
+            return Ordering::Equal;
         }
-        if inside { Ordering::Greater } else { Ordering::Less }
+        if surrounds(self.0.iter().copied(), p) { Ordering::Greater } else { Ordering::Less }
     }
 }
 
@@ -91,16 +85,4 @@ impl Directions {
         let length = (number(to) + n - start) % n;
         (0..n).map(|i| (i + n - start) % n < length).collect()
     }
-}
-
-/// Whether a point lies on a side, its ends with it.
-fn on([a, b]: [Point; 2], p: Point) -> bool {
-    let (low, high) = if left_to_right(a, b).is_lt() { (a, b) } else { (b, a) };
-    left_to_right(low, p).is_le() && left_to_right(p, high).is_le() && orientation(a, b, p).is_eq()
-}
-
-/// Order of the directions from `v` to `a` and `b`, counter-clockwise.
-fn by_direction(v: Point, a: Point, b: Point) -> Ordering {
-    let half = |p: Point| left_to_right(p, v);
-    half(b).cmp(&half(a)).then_with(|| orientation(v, b, a))
 }

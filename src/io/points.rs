@@ -8,6 +8,7 @@
 //!   0;3                # starts a comment
 //! ```
 
+use super::announced::Announced;
 use super::blocks::Blocks;
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
@@ -15,7 +16,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::read::{format_of, open, read_opened, source_name};
 use super::room::{reserved, too_little};
 use super::soup::SoupBuilder;
-use super::text::{Announced, Scanner, Syntax, note_of_the_end};
+use super::text::{Scanner, Syntax, note_of_the_end};
 use super::triangle;
 use crate::ids::{MAX_IDS, VertexId};
 use crate::plane::Point;

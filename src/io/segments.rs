@@ -8,12 +8,13 @@
 //!   1 1                a point by itself
 //! ```
 
+use super::announced::Announced;
 use super::blocks::Blocks;
 use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::ReadError;
 use super::soup::SegmentSoup;
-use super::text::{Announced, Scanner, Syntax};
+use super::text::{Scanner, Syntax};
 
 /// Whether a line holds four numbers.
 pub(super) fn is_segment(line: &str) -> bool {

@@ -489,29 +489,6 @@ pub(super) fn no_such(what: &'static str, index: i64, count: u64, first: i64) ->
     (ReadProblem::IndexOutOfRange { what, index, count }, help)
 }
 
-/// A number of things that a file says at its start.
-pub(super) struct Announced {
-    count: u64,
-    place: (u32, u32),
-    word: String,
-}
-
-impl Announced {
-    pub(super) fn new(scanner: &Scanner<'_>, word: Word<'_>) -> Result<Self, ReadError> {
-        Ok(Self { count: scanner.count(word)?, place: scanner.place(word.at), word: word.show() })
-    }
-
-    /// Refuses another number of things than there are.
-    pub(super) fn check(self, there: usize, what: &'static str, source: &str) -> Result<(), ReadError> {
-        if self.count == there as u64 {
-            return Ok(());
-        }
-        let wanted = format!("the number of {what}, {there}").into();
-        let problem = ReadProblem::Expected { wanted, found: format!("`{}`", self.word) };
-        Err(ReadError::at(source, self.place, problem, "correct it or leave the line out"))
-    }
-}
-
 /// A whole number in decimal digits, with or without a sign.
 #[inline]
 pub(super) fn parse_integer(text: &[u8]) -> Option<i64> {

@@ -20,13 +20,13 @@
 //!
 //! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking portals away.
 
-use super::corner::turns_left_or_runs_straight;
 use super::curve::Curve;
 use super::marks::{CLOSED, DEAD_END, ID, NONE, SideRecord};
 use super::rooms::{Corner, Rooms};
 use super::{NavMesh, QueryPoint};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
+use crate::plane::cycle::turns_left_or_runs_straight;
 use std::ops::Range;
 
 /// The merged faces of a mesh, as the exact search takes them. One is named by the index of its first side.

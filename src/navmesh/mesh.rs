@@ -15,7 +15,6 @@
 //!
 //! Memory: 48 bytes a triangle and 20 a vertex (`marks.rs`); holes take a few bits each (`records.rs`, `holes.rs`).
 
-use super::corner::turns_left_or_runs_straight;
 use super::error::NavMeshError;
 use super::grid::Grid;
 use super::hole_edges::HoleEdge;
@@ -27,6 +26,7 @@ use super::merged::Merged;
 use super::records::FaceTable;
 use super::slivers::Slivers;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId, must_be_below};
+use crate::plane::cycle::turns_left_or_runs_straight;
 use crate::plane::{Point, Subdivision};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;

@@ -48,7 +48,6 @@
 //! it is exact; lengths are plain doubles. Ids are those of the subdivision.
 //!
 //! ```text
-//!   corner.rs   The corner of a convex face
 //!   curve.rs    An order of places in which what is near is mostly near in the row, too
 //!   planner.rs  The planner
 //!   scratch.rs  What all searches share
@@ -59,7 +58,6 @@ mod bidirectional_bfs;
 mod change;
 mod coarse;
 mod components;
-mod corner;
 mod corridor;
 mod curve;
 mod dead_ends;

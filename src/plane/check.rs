@@ -3,7 +3,7 @@
 //! G1 to G3 are found by one sweep, which stops at the first fault; the others are only asked when they hold. Where most
 //! faces are convex, `proof.rs` shows with less that nothing is broken.
 
-use super::convert::by_direction;
+use super::cycle::by_direction;
 use super::cycle::encloses;
 use super::sweep::{Intersection, NOTHING, sweep};
 use super::{Point, Subdivision};

@@ -58,7 +58,7 @@ pub(super) fn convex_direction(corners: impl Iterator<Item = Point> + Clone) -> 
 
 /// Whether `q`, which must not lie on the walk, is on the bounded side of the closed walk: even-odd rule, so
 /// that edges walked in both directions do not count. Cost: O(corners).
-pub(super) fn surrounds(corners: impl Iterator<Item = Point> + Clone, q: Point) -> bool {
+pub(crate) fn surrounds(corners: impl Iterator<Item = Point> + Clone, q: Point) -> bool {
     let crosses = |a: Point, b: Point| {
         (a.y > q.y) != (b.y > q.y) && orientation(a, b, q) == if b.y > a.y { Ordering::Greater } else { Ordering::Less }
     };
@@ -87,8 +87,24 @@ pub(super) fn same_direction(v: Point, p: Point, q: Point) -> bool {
 }
 
 /// Whether `q` lies on the segment a-b, its ends included.
-pub(super) fn on_segment(a: Point, b: Point, q: Point) -> bool {
+pub(crate) fn on_segment(a: Point, b: Point, q: Point) -> bool {
     orientation(a, b, q).is_eq() && left_to_right(a, q) != left_to_right(b, q) || q == a || q == b
+}
+
+/// Whether the corner u -> v -> w turns left, or runs straight on: a corner of a convex face.
+#[inline]
+pub(crate) fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
+    match orientation(u, v, w) {
+        Ordering::Greater => true,
+        Ordering::Equal => left_to_right(u, v) == left_to_right(v, w),
+        Ordering::Less => false,
+    }
+}
+
+/// Order of the directions from `v` to `a` and `b`, counter-clockwise, starting just after straight down.
+pub(crate) fn by_direction(v: Point, a: Point, b: Point) -> Ordering {
+    let half = |p: Point| left_to_right(p, v);
+    half(b).cmp(&half(a)).then_with(|| orientation(v, b, a))
 }
 
 /// Consecutive triples of a closed walk, each corner once in the middle.

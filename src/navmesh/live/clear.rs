@@ -17,7 +17,7 @@ use super::back::{bring_back, name_faces};
 use super::book::{Book, Return};
 use super::cut::{make_convex, take_out, written_faces};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::navmesh::corner::turns_left_or_runs_straight;
+use crate::plane::cycle::turns_left_or_runs_straight;
 use crate::plane::{PlaneJournal, Subdivision};
 use std::collections::BTreeSet;
 

@@ -9,17 +9,10 @@
 //! ```
 
 use super::ConvertError;
-use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
+use crate::plane::cycle::by_direction;
 use crate::topology::{Dcel, NoRecorder};
-use std::cmp::Ordering;
-
-/// Order of the directions from `v` to `a` and `b`, counter-clockwise, starting just after straight down.
-pub(in crate::plane) fn by_direction(v: Point, a: Point, b: Point) -> Ordering {
-    let half = |p: Point| left_to_right(p, v);
-    half(b).cmp(&half(a)).then_with(|| orientation(v, b, a))
-}
 
 /// Links all half-edges at the given vertices by angular order.
 ///

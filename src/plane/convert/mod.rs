@@ -22,7 +22,6 @@ mod nest;
 mod simple;
 
 pub use error::ConvertError;
-pub(super) use fans::by_direction;
 
 use super::segments::insert_touching;
 use super::{InsertedCorner, Point, Subdivision};

@@ -14,9 +14,8 @@
 //!
 //! A face where that takes too long, as in a maze where few corners see each other, is cut into triangles by the sweep.
 
-use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::cycle::{in_corner, on_segment, same_direction};
+use crate::plane::cycle::{in_corner, on_segment, same_direction, turns_left_or_runs_straight};
 use crate::plane::sweep::cross;
 use crate::plane::triangulate::{TriangulateError, TriangulationMethod};
 use crate::plane::{PlaneRecorder, Point, Subdivision};
@@ -170,9 +169,7 @@ impl Room {
 
     /// Whether the corner neither turns left nor runs straight on.
     fn is_wrong(&self, s: &Subdivision, h: u32) -> bool {
-        let [u, v, w] = self.corner(s, h);
-        let turn = orientation(u, v, w);
-        turn.is_lt() || turn.is_eq() && left_to_right(u, v) != left_to_right(v, w)
+        !turns_left_or_runs_straight(self.corner(s, h))
     }
 
     /// The first corner after this one, round its piece, to which a diagonal fits, and the last corner on the way there
@@ -352,6 +349,7 @@ impl Boxes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::predicates::{left_to_right, orientation};
     use crate::ids::EdgeId;
     use crate::plane::PlaneJournal;
 

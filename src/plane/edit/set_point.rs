@@ -10,7 +10,7 @@
 //! ```
 
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::convert::by_direction;
+use crate::plane::cycle::by_direction;
 use crate::plane::cycle::{encloses, in_corner, on_segment, surrounds};
 use crate::plane::predicates::orientation;
 use crate::plane::sweep::cross;
