@@ -92,6 +92,7 @@ pub(crate) fn on_segment(a: Point, b: Point, q: Point) -> bool {
 }
 
 /// Whether the corner u -> v -> w turns left, or runs straight on: a corner of a convex face.
+#[cfg(feature = "navmesh")]
 #[inline]
 pub(crate) fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
     match orientation(u, v, w) {
