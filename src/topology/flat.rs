@@ -228,10 +228,11 @@ fn live(count: usize, flags: &[bool]) -> impl Iterator<Item = u32> + Clone + '_ 
 /// The orbits of a map that sends no two half-edges to the same one and may be undefined (`None`) at some.
 ///
 /// `visit` gets every *closed* orbit once, as a slice in walking order; chains that end somewhere are passed
-/// over. Starts are tried in the given order. Linear, whatever the map.
+/// over. Starts are tried in the given order. `is_new` is true when it is first asked of a half-edge. Linear, whatever
+/// the map.
 pub(super) fn closed_orbits<B>(
     starts: impl Iterator<Item = u32>,
-    seen: &mut [bool],
+    mut is_new: impl FnMut(u32) -> bool,
     step: impl Fn(u32) -> Option<u32>,
     mut visit: impl FnMut(&[u32]) -> ControlFlow<B>,
 ) -> ControlFlow<B> {
@@ -239,7 +240,7 @@ pub(super) fn closed_orbits<B>(
     for start in starts {
         orbit.clear();
         let mut at = Some(start);
-        while let Some(h) = at.filter(|&h| !std::mem::replace(&mut seen[h as usize], true)) {
+        while let Some(h) = at.filter(|&h| is_new(h)) {
             orbit.push(h);
             at = step(h);
         }

@@ -155,15 +155,20 @@ pub(super) fn count(flat: &Flat<'_>, is_boundary: &dyn Fn(FaceId) -> bool) -> Co
     }
     let mut seen = vec![false; flat.next.len()];
     let next = |h: u32| Some(flat.next[h as usize]).filter(|&n| n != NONE);
-    let _ = closed_orbits::<Infallible>(flat.half_edges(), &mut seen, next, |cycle| {
-        let (origin, face) = (flat.origin[cycle[0] as usize], flat.face[cycle[0] as usize]);
-        counts.cycles += 1;
-        counts.boundary_cycles += usize::from(face != NONE && is_boundary(FaceId(face)));
-        if origin != NONE {
-            counts.components[parts.of[VertexId(origin)] as usize].cycles += 1;
-        }
-        ControlFlow::Continue(())
-    });
+    let _ = closed_orbits::<Infallible>(
+        flat.half_edges(),
+        |h| !std::mem::replace(&mut seen[h as usize], true),
+        next,
+        |cycle| {
+            let (origin, face) = (flat.origin[cycle[0] as usize], flat.face[cycle[0] as usize]);
+            counts.cycles += 1;
+            counts.boundary_cycles += usize::from(face != NONE && is_boundary(FaceId(face)));
+            if origin != NONE {
+                counts.components[parts.of[VertexId(origin)] as usize].cycles += 1;
+            }
+            ControlFlow::Continue(())
+        },
+    );
     counts
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::flat::{Fault, Flat, NONE, closed_orbits};
 use super::Violation;
+use super::marks::{END, FACE, Marks, NEXT, TWIN};
 use super::rules::{B1, B2, C1, C2, C3, D1, F1, H1, I1, I2, I3, N1, N2, O1, O2, R1, R2, S1, T1, T2};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::InnerComponent;
@@ -28,14 +29,7 @@ fn h(number: u32) -> HalfEdgeId {
 pub(super) struct Invariants<'a> {
     flat: &'a Flat<'a>,
     report: &'a mut dyn FnMut(Violation) -> Flow,
-    /// T1 and T2 hold at the half-edge.
-    twin_sound: Vec<bool>,
-    /// N2 holds at the half-edge: its `next` leads on, and back.
-    next_sound: Vec<bool>,
-    /// D1 holds at the half-edge.
-    end_sound: Vec<bool>,
-    /// F1 holds at the half-edge.
-    face_sound: Vec<bool>,
+    marks: Marks,
     /// The face's boundary or one of its inner components is at fault already.
     bad_list: Vec<bool>,
     /// Some half-edge that starts at the vertex.
@@ -44,17 +38,7 @@ pub(super) struct Invariants<'a> {
 
 impl<'a> Invariants<'a> {
     pub(super) fn new(flat: &'a Flat<'a>, bad_list: Vec<bool>, report: &'a mut dyn FnMut(Violation) -> Flow) -> Self {
-        let half_edges = || vec![false; flat.next.len()];
-        Self {
-            flat,
-            report,
-            twin_sound: half_edges(),
-            next_sound: half_edges(),
-            end_sound: half_edges(),
-            face_sound: half_edges(),
-            bad_list,
-            start: vec![NONE; flat.outgoing.len()],
-        }
+        Self { flat, report, marks: Marks::new(flat.next.len()), bad_list, start: vec![NONE; flat.outgoing.len()] }
     }
 
     fn report(&mut self, violation: Violation) -> Flow {
@@ -70,7 +54,7 @@ impl<'a> Invariants<'a> {
                 let text = format!("{0}.twin = {0} (expected another half-edge)", h(a));
                 self.report(Violation::new(&T1, &[h(a).into()], &[a], text).with(Some(h(a).into()), None))?;
             } else if back == a {
-                self.twin_sound[a as usize] = true;
+                self.marks.set(a, TWIN);
             } else if back != NONE {
                 self.report_back(&T2, "twin", "twin", [a, b, back])?;
             }
@@ -89,8 +73,9 @@ impl<'a> Invariants<'a> {
             }
             let b = next[a as usize];
             let back = if b == NONE { NONE } else { prev[b as usize] };
-            self.next_sound[a as usize] = back == a;
-            if back != a && back != NONE {
+            if back == a {
+                self.marks.set(a, NEXT);
+            } else if back != NONE {
                 self.report_back(&N2, "next", "prev", [a, b, back])?;
             }
         }
@@ -114,10 +99,11 @@ impl<'a> Invariants<'a> {
                 continue;
             }
             let t = flat.twin(a);
-            if self.twin_sound[a as usize] && origin[b as usize] != NONE && origin[t as usize] != NONE {
+            if self.marks.has(a, TWIN) && origin[b as usize] != NONE && origin[t as usize] != NONE {
                 let (start, end) = (VertexId(origin[b as usize]), VertexId(origin[t as usize]));
-                self.end_sound[a as usize] = start == end;
-                if start != end {
+                if start == end {
+                    self.marks.set(a, END);
+                } else {
                     let (a, b, t) = (h(a), h(b), h(t));
                     let text = format!(
                         "{a}.next = {b}, but {b}.origin = {start} (expected {end}, the origin of {a}.twin = {t})"
@@ -129,8 +115,9 @@ impl<'a> Invariants<'a> {
             }
             if face[a as usize] != NONE && face[b as usize] != NONE {
                 let (here, there) = (FaceId(face[a as usize]), FaceId(face[b as usize]));
-                self.face_sound[a as usize] = here == there;
-                if here != there {
+                if here == there {
+                    self.marks.set(a, FACE);
+                } else {
                     let (a, b) = (h(a), h(b));
                     let text = format!("{a}.next = {b}, but {b}.face = {there} (expected {here}, the face of {a})");
                     let elements = [a.into(), b.into(), there.into(), here.into()];
@@ -223,47 +210,58 @@ impl<'a> Invariants<'a> {
     /// S1. One step of the round is h.twin.next, over sound twins and links, so a round that closes up is one
     /// of the fans; one that does not runs into a violation that is reported already.
     pub(super) fn stars(&mut self) -> Flow {
-        let flat = self.flat;
+        let Self { flat, report, marks, .. } = self;
         let Flat { origin, outgoing, next, .. } = flat;
         let step = |a: u32| {
-            let t = flat.twin(a) as usize;
-            (self.twin_sound[a as usize] && self.next_sound[t] && self.end_sound[t]).then(|| next[t])
+            let t = flat.twin(a);
+            (marks.has(a, TWIN) && marks.has(t, NEXT | END)).then(|| next[t as usize])
         };
-        let named = self.flat.vertices().map(|v| (v, outgoing[v as usize]));
+        let named = flat.vertices().map(|v| (v, outgoing[v as usize]));
         let named = named.filter(|&(v, a)| a != NONE && origin[a as usize] == v).map(|(_, a)| a);
         let mut first_round = vec![NONE; outgoing.len()];
-        let mut seen = vec![false; next.len()];
-        closed_orbits(named.chain(self.flat.half_edges()), &mut seen, step, |round| {
-            let v = origin[round[0] as usize];
-            let first = &mut first_round[v as usize];
-            if *first == NONE {
-                *first = round[0];
-                return Flow::Continue(());
-            }
-            let v = VertexId(v);
-            let text = format!(
-                "the round of {v} through {} misses {} (expected one round of all half-edges that start at {v})",
-                h(*first),
-                list(round)
-            );
-            let elements = [v.into(), h(round[0]).into(), h(*first).into()];
-            (self.report)(Violation::new(&S1, &elements, round, text).with(Some(h(round[0]).into()), None))
-        })
+        marks.forget_seen();
+        closed_orbits(
+            named.chain(flat.half_edges()),
+            |a| marks.is_new(a),
+            step,
+            |round| {
+                let v = origin[round[0] as usize];
+                let first = &mut first_round[v as usize];
+                if *first == NONE {
+                    *first = round[0];
+                    return Flow::Continue(());
+                }
+                let v = VertexId(v);
+                let text = format!(
+                    "the round of {v} through {} misses {} (expected one round of all half-edges that start at {v})",
+                    h(*first),
+                    list(round)
+                );
+                let elements = [v.into(), h(round[0]).into(), h(*first).into()];
+                report(Violation::new(&S1, &elements, round, text).with(Some(h(round[0]).into()), None))
+            },
+        )
     }
 
     /// C1, C2. A cycle is judged if its links and faces are sound all round and its face's list has no fault.
     pub(super) fn cycles(&mut self) -> Flow {
-        let Flat { next, face, .. } = self.flat;
-        let mut seen = vec![false; next.len()];
+        let Self { flat, report, marks, bad_list, .. } = self;
+        let Flat { next, face, .. } = flat;
         let mut cycle_of = vec![NONE; next.len()];
-        let mut first_listed = Vec::new();
-        let step = |a: u32| (self.next_sound[a as usize] && self.face_sound[a as usize]).then(|| next[a as usize]);
-        let _ = closed_orbits::<()>(self.flat.half_edges(), &mut seen, step, |cycle| {
-            cycle.iter().for_each(|&a| cycle_of[a as usize] = first_listed.len() as u32);
-            first_listed.push(NONE);
-            ControlFlow::Continue(())
-        });
-        for (f, a) in self.flat.listed_cycles() {
+        let mut first_listed = Vec::with_capacity(flat.boundary.len());
+        let step = |a: u32| marks.has(a, NEXT | FACE).then(|| next[a as usize]);
+        marks.forget_seen();
+        let _ = closed_orbits::<()>(
+            flat.half_edges(),
+            |a| marks.is_new(a),
+            step,
+            |cycle| {
+                cycle.iter().for_each(|&a| cycle_of[a as usize] = first_listed.len() as u32);
+                first_listed.push(NONE);
+                ControlFlow::Continue(())
+            },
+        );
+        for (f, a) in flat.listed_cycles() {
             let cycle = cycle_of[a as usize];
             if cycle == NONE || face[a as usize] != f {
                 continue;
@@ -276,21 +274,26 @@ impl<'a> Invariants<'a> {
             let (f, a, first) = (FaceId(f), h(a), h(*first));
             let text = format!("{f} lists the cycle of {a} twice: as {first} and as {a} (expected once)");
             let elements = [f.into(), a.into(), first.into()];
-            (self.report)(Violation::new(&C2, &elements, &[a.0], text).with(Some(a.into()), None))?;
+            report(Violation::new(&C2, &elements, &[a.0], text).with(Some(a.into()), None))?;
         }
-        seen.fill(false);
-        closed_orbits(self.flat.half_edges(), &mut seen, step, |cycle| {
-            let (a, f) = (cycle[0], face[cycle[0] as usize]);
-            if first_listed[cycle_of[a as usize] as usize] != NONE || self.bad_list[f as usize] {
-                return Flow::Continue(());
-            }
-            let f = FaceId(f);
-            let text = format!(
-                "the cycle {} has face {f}, but neither {f}.half_edge nor an inner component of {f} lies on it",
-                list(cycle)
-            );
-            (self.report)(Violation::new(&C1, &[h(a).into(), f.into()], cycle, text).with(None, Some(h(a).into())))
-        })
+        marks.forget_seen();
+        closed_orbits(
+            flat.half_edges(),
+            |a| marks.is_new(a),
+            step,
+            |cycle| {
+                let (a, f) = (cycle[0], face[cycle[0] as usize]);
+                if first_listed[cycle_of[a as usize] as usize] != NONE || bad_list[f as usize] {
+                    return Flow::Continue(());
+                }
+                let f = FaceId(f);
+                let text = format!(
+                    "the cycle {} has face {f}, but neither {f}.half_edge nor an inner component of {f} lies on it",
+                    list(cycle)
+                );
+                report(Violation::new(&C1, &[h(a).into(), f.into()], cycle, text).with(None, Some(h(a).into())))
+            },
+        )
     }
 
     /// I1, I2, I3.

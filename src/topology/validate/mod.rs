@@ -42,11 +42,13 @@
 //! mark what they have seen, so that many chains into one long tail are not walked many times.
 //!
 //! ```text
+//!   marks.rs   What has been found of each half-edge, a byte for each
 //!   planar.rs  The invariants of the plane that need no coordinates
 //!   rules.rs   The invariants as data
 //! ```
 
 mod invariants;
+mod marks;
 mod planar;
 mod rules;
 
@@ -195,6 +197,7 @@ fn judge(
     invariants.isolated_vertices()?;
     part_done();
     invariants.outer_face()?;
+    drop(invariants);
     if !any && flat.outer.is_some() {
         planar::check(flat, visit)?;
     }
