@@ -1,30 +1,28 @@
 //! How far everything is where a unit of length costs more in some faces than in others.
 //!
 //! ```text
-//!   ●──·──·──●        Nodes are the corners of faces and some points on every side, evenly spaced. Within a face one goes
-//!   │ ╲   1  ·        straight from node to node, for the length times the cost of the face. So each answer is what some
-//!   ·   ╲    ·        path costs, and never less than the least; where all faces cost the same, searches without costs
-//!   ●──·──·──●        give the exact answer.
+//!   ●──·──·──●        Nodes are the corners of faces and some points on every side, see `steiner.rs`. Within a face one
+//!   │ ╲   1  ·        goes straight from node to node, for the length times the cost of the face. So each answer is what
+//!   ·   ╲    ·        some path costs, and never less than the least; where all faces cost the same, searches without
+//!   ●──·──·──●        costs give the exact answer.
 //! ```
 //!
 //! Source: Lanthier, Maheshwari and Sack, *Approximating shortest paths on weighted polyhedral surfaces*, 2001.
 
 use super::Work;
+use super::steiner::{Side, Space, distance, steiner_points};
 use crate::geometry::grouping::Groups;
 use crate::ids::{FaceId, FaceMap};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-/// How many points there are on each side, its ends left out.
-pub(super) const POINTS: usize = 6;
-
-/// A point in space; on a map of the plane its height is 0.
-type Space = [f64; 3];
-
-/// Convex faces with nodes on their sides.
+/// Convex faces with nodes on their sides. The height of a point of a map of the plane is 0.
 #[derive(Default)]
 pub(super) struct Cells {
     at: Vec<Space>,
+    sides: Vec<Side>,
+    /// Places inside of cells, where paths begin or end.
+    stops: Vec<Space>,
     /// Which cell has which node.
     has: Vec<[u32; 2]>,
     costs: Vec<f64>,
@@ -39,13 +37,15 @@ impl Cells {
         self.at.len() as u32 - 1
     }
 
-    /// The points on a side, as nodes of the cells beside it.
-    pub(super) fn side(&mut self, [a, b]: [Space; 2], cells: &[u32]) {
-        for i in 1..=POINTS {
-            let share = i as f64 / (POINTS + 1) as f64;
-            let node = self.node([0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * share));
-            cells.iter().for_each(|&cell| self.put(cell, node));
-        }
+    /// Another node, where paths begin or end.
+    pub(super) fn stop(&mut self, at: Space) -> u32 {
+        self.stops.push(at);
+        self.node(at)
+    }
+
+    /// A side of the cells beside it, whose points will be nodes of theirs.
+    pub(super) fn side(&mut self, ends: [Space; 2], cells: [Option<u32>; 2]) {
+        self.sides.push(Side { ends, cells });
     }
 
     /// A cell has a node.
@@ -67,7 +67,13 @@ impl Cells {
     /// What it costs to get from a node to each node, as far as it is no more than `limit`; infinite beyond.
     ///
     /// Cost: O(k² log n) for each cell with k nodes.
-    pub(super) fn spread(&self, start: u32, limit: f64) -> (Vec<f64>, Work) {
+    pub(super) fn spread(mut self, start: u32, limit: f64) -> (Vec<f64>, Work) {
+        let sides = std::mem::take(&mut self.sides);
+        for (side, share) in steiner_points(&sides, self.costs.len(), &self.stops) {
+            let side = &sides[side as usize];
+            let node = self.node(side.at(share));
+            side.cells.into_iter().flatten().for_each(|cell| self.put(cell, node));
+        }
         let of_cell = Groups::new(self.costs.len(), self.has.iter().map(|&[cell, node]| (cell as usize, node)));
         let of_node = Groups::new(self.at.len(), self.has.iter().map(|&[cell, node]| (node as usize, cell)));
         let mut least = vec![f64::INFINITY; self.at.len()];
@@ -92,8 +98,7 @@ impl Cells {
                 work.expansions += 1;
                 for &other in of_cell.of(cell as usize) {
                     let [a, b] = [node, other].map(|node| self.at[node as usize]);
-                    let length = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
-                    reach(other, here + self.costs[cell as usize] * length);
+                    reach(other, here + self.costs[cell as usize] * distance(a, b));
                 }
             }
             for &(other, cost) in self.reduced_bfs.get(&node).into_iter().flatten() {

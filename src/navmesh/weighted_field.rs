@@ -10,11 +10,13 @@ impl Planner {
     /// What it costs to get from a place to all vertices, as far as that is no more than `limit`, where a unit of length
     /// in a face costs as much as `costs` says. Links lead from place to place of this mesh.
     ///
-    /// Not exact: paths pass sides at their ends and at six points between, so each cost is that of a path and never less
-    /// than the least; in trials it was 4 % more at most. Where all faces cost the same and there are no links it is
-    /// exact. On a closed side between two faces each counts for its own side.
+    /// Not exact: paths pass sides at their ends and at some points between, so each cost is that of a path and never less
+    /// than the least. In trials with costs from 1 to 20 it was 9 % more at most, and 0.1 % on average; where faces that cost
+    /// nothing meet thin ones that are dear it can be more. Where all faces cost the same and there are no links it is exact.
+    /// On a closed side between two faces each counts for its own side.
     ///
-    /// Cost: O(n log n), with some 400 steps for each triangle.
+    /// Cost: O(n log n), with some 500 steps for each triangle and up to 3,000 for a thin one, and a look at every side for
+    /// the start and for each end of a link.
     ///
     /// # Errors
     /// [`LinkError`].
@@ -81,13 +83,13 @@ impl Planner {
                 if !is_open || f < beyond {
                     let ends = mesh.ends(f, s).map(|v| mesh.point(v)).map(|p| [p.x, p.y, 0.0]);
                     let beside = [f, beyond].map(|f| cell_of[f.index()]);
-                    cells.side(ends, &beside[..1 + usize::from(is_open)]);
+                    cells.side(ends, [Some(beside[0]), is_open.then_some(beside[1])]);
                 }
             }
         }
         let mut at = Vec::new();
         let mut stand = |place: &QueryPoint| {
-            let node = cells.node([place.point.x, place.point.y, 0.0]);
+            let node = cells.stop([place.point.x, place.point.y, 0.0]);
             at.clear();
             mesh.add_faces_at(place, &mut at);
             at.iter().for_each(|f| cells.put(cell_of[f.index()], node));

@@ -95,3 +95,36 @@ fn a_corner_on_a_side_that_rounding_has_bent_is_not_refused() {
 fn an_obstacle_without_room_blocks_nothing() {
     assert_areas(&hall(&[&[(7.6, 12.), (8.1, 6.), (7.7, 10.8)]]), 0.0, "no room");
 }
+
+/// A wall along a border that rounding has bent: a cut may lie where the border runs straight again, and makes room for it.
+#[test]
+fn a_border_along_which_a_wall_stood_is_straight_again_when_all_is_out() {
+    let points = [
+        (0.7973680207474412, 7.57391604386326),
+        (4.618713977249865, 8.75599687050862),
+        (-0.08919259923657741, 10.439925511240078),
+        (3.7321533572658465, 11.622006337885436),
+        (6.598162824642664, 12.508566957869455),
+    ]
+    .map(Point::from);
+    let map =
+        Subdivision::from_triangles(points.to_vec(), &[[0, 1, 2], [1, 3, 2], [1, 4, 3]]).expect("three triangles");
+    let along = [(4.687489846391452, 11.917526544546776), (1.821480379014634, 11.030965924562757)].map(Point::from);
+    let across = [(-0.8865606199840186, 2.866009467376818), (6.598162824642664, 12.508566957869455)].map(Point::from);
+    for order in [[0, 1], [1, 0]] {
+        let mut live = LiveMesh::new(map.clone()).expect("convex");
+        let walls = [along, across].map(|[p, q]| live.insert_wall(p, q).expect("a wall"));
+        for i in order {
+            live.remove(walls[i]).expect("it stands");
+        }
+        let (now, first) = (live.map(), &map);
+        assert!(now.vertices().eq(first.vertices()), "{order:?}: {:?}", now.vertices().collect::<Vec<_>>());
+        assert!(now.vertices().all(|v| now.point(v) == first.point(v)), "{order:?}");
+        assert!(now.faces().eq(first.faces()), "{order:?}: {:?}", now.faces().collect::<Vec<_>>());
+        assert!(now.edges().eq(first.edges()), "{order:?}: {:?}", now.edges().collect::<Vec<_>>());
+        for h in first.edges().flat_map(|e| e.half_edges()) {
+            let of = |map: &Subdivision| (map.origin(h), map.next(h), map.face(h));
+            assert_eq!(of(now), of(first), "{order:?}: {h}");
+        }
+    }
+}

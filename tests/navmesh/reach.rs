@@ -250,3 +250,70 @@ fn a_dear_field_is_left_by_the_shortest_line_and_links_lead_past_it() {
     let refused = planner.weighted_distance_field(&mesh, &costs, &[wrong], &start, f64::INFINITY);
     assert!(matches!(refused, Err(LinkError::Cost { link: 0, .. })), "{refused:?}");
 }
+
+/// A start in dear mud, close to the grass: the path out of the mud is short, wherever along the side the start is.
+/// The exact cost is the least over the places where the side may be crossed.
+#[test]
+fn a_dear_field_is_left_straight_from_a_start_close_to_its_side() {
+    let points = [(0., 0.), (14., 0.), (14., 14.), (0., 14.)].map(Point::from);
+    let square = Subdivision::from_triangles(points.to_vec(), &[[0, 1, 2], [0, 2, 3]]).expect("two triangles");
+    let mesh = NavMesh::new(&square).expect("convex");
+    let mut planner = Planner::new();
+    for (start, cost) in [1.0, 0.1, 0.01, 1e-4, 1e-8].into_iter().flat_map(|off| {
+        [3.1, 6.9, 11.3].into_iter().flat_map(move |at| [2.0, 10.0, 100.0].map(|cost| (Point::new(at + off, at), cost)))
+    }) {
+        let mut costs = FaceMap::filled(mesh.face_bound(), 1.0);
+        costs[FaceId::new(1)] = cost;
+        let place = mesh.place(start).expect("in the mud");
+        let field = planner.weighted_distance_field(&mesh, &costs, &[], &place, f64::INFINITY).expect("no links");
+        let found = field.distance(VertexId::new(3)).expect("near");
+        let over = |x: f64| cost * (start.x - x).hypot(start.y - x) + x.hypot(x - 14.0);
+        // Convex in x: thirds are cut off.
+        let [mut low, mut high] = [0.0, 14.0];
+        for _ in 0..200 {
+            let [a, b] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+            if over(a) < over(b) { high = b } else { low = a }
+        }
+        let least = over(low);
+        assert!(
+            found >= least * (1.0 - 1e-9) && found < least * 1.02,
+            "{start:?}, {cost}: {found}, and {least} is the least"
+        );
+    }
+}
+
+/// Dear strips, thin and slanted, one behind the other on grass: they are crossed almost straight.
+#[test]
+fn thin_dear_faces_are_crossed_straight() {
+    // Strip i lies between the lines y = 4 i and y = 4 i + 0.02 + 0.0004 x, each quadrilateral cut into two triangles.
+    let (mut points, mut triangles, mut dear) = (Vec::new(), Vec::new(), Vec::new());
+    for i in 0..5 {
+        let y = 4.0 * f64::from(i);
+        for thick in [0.0, 0.02] {
+            points.extend([Point::new(0.0, y + thick), Point::new(50.0, y + thick * 2.0)]);
+        }
+    }
+    for row in 0..9_u32 {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| 2 * row + k);
+        triangles.extend([[a, b, d], [a, d, c]]);
+        dear.extend([row % 2 == 0; 2]);
+    }
+    let map = Subdivision::from_triangles(points.clone(), &triangles).expect("rows");
+    let mesh = NavMesh::new(&map).expect("convex");
+    let mut costs = FaceMap::filled(mesh.face_bound(), 1.0);
+    for (f, &is_dear) in (1..).zip(&dear) {
+        costs[FaceId::new(f)] = if is_dear { 50.0 } else { 1.0 };
+    }
+    let start = mesh.place(Point::new(21.0, 0.03)).expect("on the grass above the first strip");
+    let field = Planner::new().weighted_distance_field(&mesh, &costs, &[], &start, f64::INFINITY).expect("no links");
+    for v in [18, 19] {
+        let goal = points[v as usize];
+        let found = field.distance(VertexId::new(v)).expect("near");
+        // On the straight line, and four strips of at most 0.04 are crossed nearly at right angles for 50 times the cost.
+        let straight = (goal.x - 21.0).hypot(goal.y - 0.03);
+        assert!(
+            found >= straight && found < straight + 4.0 * 50.0 * 0.04 + 0.05 * straight,
+            "v{v}: {found}, {straight}"
+        );
+    }
+}

@@ -16,6 +16,9 @@ pub(super) struct ObstacleArgs {
     ///
     /// Time and memory grow as k log k with the number k of sides of the faces along the wall; where borders or other walls
     /// cut it into pieces that lie in one large hole, as the product of the number of pieces and the size of the hole.
+    ///
+    /// Where another wall crosses a slanted one, rounding bends it by a few last places: a point that lies exactly on the
+    /// line may be on either side of it there.
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = wall, allow_hyphen_values = true)]
     wall: Vec<Corners>,
     /// Put in an obstacle with these corners, in order, either way round; may be given several times

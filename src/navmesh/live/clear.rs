@@ -16,9 +16,9 @@ use super::ObstacleError;
 use super::back::{bring_back, name_faces};
 use super::book::{Book, Return};
 use super::cut::{make_convex, take_out, written_faces};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::turns_left_or_runs_straight;
-use crate::plane::{PlaneJournal, Subdivision};
+use crate::plane::{JoinEdgesError, PlaneJournal, Subdivision};
 use std::collections::BTreeSet;
 
 /// Takes out what nobody needs near the edges, which an obstacle has given up, and brings back what can come back.
@@ -44,8 +44,17 @@ pub(super) fn clear(
             bends.push(v);
         }
     }
-    for v in bends {
-        straighten(map, book, v, &mut faces, rec);
+    // One that is straight may leave room for another.
+    let mut bent = usize::MAX;
+    while bends.len() < bent {
+        bent = bends.len();
+        let mut left = Vec::new();
+        for v in bends {
+            if !straighten(map, book, v, &mut faces, rec)? {
+                left.push(v);
+            }
+        }
+        bends = left;
     }
     book.follow(&rec.kernel().changes()[begin..]);
     let back_from = rec.kernel().len();
@@ -109,15 +118,32 @@ fn give_up(
     Ok(!lines.is_empty())
 }
 
-/// Makes one edge of two at a vertex that has no other. What may be in the way of the straight line belongs to another
-/// obstacle; then the vertex stays, and goes with that one.
-fn straighten(map: &mut Subdivision, book: &Book, v: VertexId, faces: &mut BTreeSet<FaceId>, rec: &mut PlaneJournal) {
-    let mut at = map.outgoing_half_edges(v);
-    let (Some(a), Some(b)) = (at.next(), at.next()) else { return };
-    // The edge that was there first keeps its name.
-    let stays = if book.is_first(b.edge()) { b } else { a };
-    faces.extend([map.face(stays), map.face(stays.twin())]);
-    let _ = map.join_edges_with(stays.twin(), rec);
+/// Makes one edge of two at a vertex that has no other, and says whether it did. Cuts in the way of the straight line are
+/// taken out. Anything else there belongs to another obstacle; then the vertex stays, and goes with that one.
+fn straighten(
+    map: &mut Subdivision,
+    book: &Book,
+    v: VertexId,
+    faces: &mut BTreeSet<FaceId>,
+    rec: &mut PlaneJournal,
+) -> Result<bool, ObstacleError> {
+    loop {
+        let mut at = map.outgoing_half_edges(v);
+        let (Some(a), Some(b)) = (at.next(), at.next()) else { return Ok(true) };
+        // The edge that was there first keeps its name.
+        let stays = if book.is_first(b.edge()) { b } else { a };
+        faces.extend([map.face(stays), map.face(stays.twin())]);
+        let in_way = match map.join_edges_with(stays.twin(), rec) {
+            Ok(_) => return Ok(true),
+            Err(JoinEdgesError::EdgeExists { existing: h, .. })
+            | Err(JoinEdgesError::WouldCross { obstacle: Element::HalfEdge(h), .. }) => h.edge(),
+            Err(_) => return Ok(false),
+        };
+        if !book.is_cut(in_way) {
+            return Ok(false);
+        }
+        take_out(map, book, [in_way], faces, rec)?;
+    }
 }
 
 /// Whether the faces on both sides of a cut are convex in one piece.

@@ -42,11 +42,11 @@ impl SurfacePlanner {
             let twin = surface.sides[s].twin;
             if twin == NONE || (s as u32) < twin {
                 let beside = [s as u32 / 3, twin / 3];
-                cells.side(surface.ends(s), &beside[..1 + usize::from(twin != NONE)]);
+                cells.side(surface.ends(s), [Some(beside[0]), (twin != NONE).then_some(beside[1])]);
             }
         }
         let mut stand = |place: &SurfacePoint| {
-            let node = cells.node(place.point);
+            let node = cells.stop(place.point);
             surface.triangles_at(place).into_iter().for_each(|t| cells.put(t as u32, node));
             node
         };
