@@ -228,7 +228,8 @@ impl Map {
             );
         }
         if is("is cut into pieces") {
-            return Ok("in pieces");
+            let touch = |&p: &P| self.0[names[0][0]].iter().filter(|ring| is_on(ring, p)).count() > 1;
+            return sure(points.len() > 1 && points.iter().all(touch), "in pieces", "its rings do not touch there");
         }
         if is("run along each other at") {
             let here = |&name: &[usize; 2]| is_on(self.ring(name), points[0]);
