@@ -18,7 +18,8 @@ use std::path::PathBuf;
 
 /// Build the subdivision that segments cut the plane into
 ///
-/// Reads wkt, poly, segments, geojson and topojson; polygons count by their outlines. Ends with equal
+/// Reads wkt, poly, segments, geojson and topojson; polygons count by their outlines here, and as
+/// polygons with holes in all other commands. Ends with equal
 /// coordinates become one vertex. Segments that meet elsewhere are refused, each by name, or split
 /// with --mend. Edges that bound no face are listed: dangles hang free, cut edges hold parts together.
 #[derive(clap::Args, Debug)]
@@ -133,6 +134,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         grid: arranged.grid,
         // Vertices of the input that the grid moved.
         displaced: Moved::all(&arranged.displaced),
+        // How many points of the input moved; some fell together.
+        displaced_points: arranged.displaced_points,
         // Segments that became a point on the grid, by input number.
         collapsed: &arranged.collapsed,
         // No point of a segment is further from what it became.

@@ -6,7 +6,7 @@ use super::save::{Files, InPlace};
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::FaceMap;
-use dcel_kit::io::{Format, counted, write, write_path};
+use dcel_kit::io::{Format, LoadError, counted, write, write_path};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 use std::path::PathBuf;
@@ -15,7 +15,8 @@ use std::path::PathBuf;
 ///
 /// Formats: obj, off, ply, ply-binary, stl, stl-binary, triangle, geojson, mesh, dcel, tables. Polygon
 /// formats hold no structure: ids are numbered anew when such a file is read, and what they cannot hold is refused
-/// by name. What is lost without harm is noted. A grid map (.map) has y pointing down: a .mesh made of
+/// by name. What is lost without harm is noted. A broken .dcel is written as dcel only; validate names
+/// what is broken. A grid map (.map) has y pointing down: a .mesh made of
 /// it, too, so that the queries of the map fit both; in all other formats y is negated.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -49,6 +50,9 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         .writes_or_replaces("OUT", Some(node.as_deref().unwrap_or(&args.to_file)), args.in_place)
         .check()?;
     let mut subject = args.input.open_as(&args.file, !args.compact)?;
+    if format != Format::Dcel {
+        refuse_broken(&subject)?;
+    }
     if args.compact {
         compact(&mut subject);
     }
@@ -84,6 +88,13 @@ fn target_format(args: &Args) -> Result<Format, Failure> {
         };
         Failure::input(what, format!("say it with --to: {}", writable.join(", ")))
     })
+}
+
+/// Only dcel text may hold a broken structure. The ids stay those of the file, so the table itself is written.
+fn refuse_broken(subject: &Subject) -> Result<(), Failure> {
+    let Kind::Table(table) = &subject.kind else { return Ok(()) };
+    let made = Subdivision::from_columns(&mut table.clone());
+    made.map(drop).map_err(|error| LoadError::Table { source_name: subject.source.clone(), error }.into())
 }
 
 /// Makes of a map what a navigation mesh of version 2 holds: its polygons to walk on, and nothing but them. Of a grid
@@ -154,6 +165,7 @@ fn compact(subject: &mut Subject) {
 }
 
 fn tell_losses(subject: &Subject, format: Format) {
+    subject.left_out.notes(format == Format::GeoJson).iter().for_each(|note| say("note", note));
     let named = subject.faces().filter(|&f| subject.name(f).is_some()).count();
     let keeps_names = matches!(format, Format::GeoJson | Format::Dcel | Format::Tables);
     if named > 0 && !keeps_names {

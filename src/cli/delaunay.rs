@@ -18,7 +18,8 @@ const MOST_CIRCLES: usize = 60;
 
 /// Make the Delaunay triangulation of points
 ///
-/// Reads points as lines `x y`, or the points of any other format. No point lies inside the circle
+/// Reads points as lines `x y`, or the points of any other format: of maps the points, and the corners
+/// of lines and polygons. No point lies inside the circle
 /// round a triangle; that is decided exactly. Points at one place become one vertex. Points on one
 /// line become a path.
 #[derive(clap::Args, Debug)]

@@ -77,9 +77,14 @@ enum Kind {
 }
 
 impl Failure {
-    /// A wrong call or a wrong input: exit code 2.
+    /// What cannot be done with this input: exit code 2.
     pub(crate) fn input(what: impl Display, help: impl Into<String>) -> Self {
         Self::new(Kind::Input, what, help)
+    }
+
+    /// A call whose parts do not fit together: exit code 2.
+    pub(crate) fn call(what: impl Display, help: impl Into<String>) -> Self {
+        Self::new(Kind::Usage, what, help)
     }
 
     /// What is wrong with this file, or at this place in it: exit code 2.

@@ -27,7 +27,7 @@ pub(crate) struct Kind {
     /// A part of the plane enlarged below the picture; `auto`: the surroundings of the shortest edge
     #[arg(long, value_name = "X0,Y0,X1,Y1|auto", group = "kind", value_parser = corners, allow_hyphen_values = true)]
     inset: Option<Window>,
-    /// The element marked in the picture and in its table, for example h5, v3 or f1
+    /// With --tables: the element marked in the picture and in its table, for example h5, v3 or f1
     #[arg(long, value_name = "ELEMENT", requires = "tables", value_parser = element)]
     highlight: Option<Element>,
 }

@@ -146,8 +146,8 @@ impl InputOptions {
             other => return Err(Failure::input(format!("{source}: {other:?} is not known"), "")),
         };
         let (names, covering, format, places) = (loaded.names, loaded.covering, loaded.format, loaded.places);
-        let trusted = self.trust;
-        Ok(Opened::Subject(Box::new(Subject { kind, names, covering, trusted, source, format, places })))
+        let (trusted, left_out) = (self.trust, loaded.left_out);
+        Ok(Opened::Subject(Box::new(Subject { kind, names, covering, trusted, source, format, places, left_out })))
     }
 
     /// A flag that cannot do anything with this kind of input is an error, so that nobody believes it did.
@@ -159,7 +159,7 @@ impl InputOptions {
             Document::Table(_) | Document::Columns(_) => (false, false),
         };
         let segments = matches!(read.document, Document::Segments(_));
-        let json = matches!(format, Format::GeoJson | Format::TopoJson);
+        let has_rings = matches!(format, Format::GeoJson | Format::TopoJson) || (format == Format::Wkt && polygons);
         let table = "a table of half-edges says itself what it is";
         let lines = "segments have no faces yet";
         let why = if segments { lines } else { table };
@@ -187,7 +187,11 @@ impl InputOptions {
                 },
             ),
             ("--object", self.object.is_some() && format != Format::TopoJson, "only TopoJSON files have objects"),
-            ("--drop-degenerate-rings", self.drop_degenerate_rings && !json, "it is for GeoJSON and TopoJSON"),
+            (
+                "--drop-degenerate-rings",
+                self.drop_degenerate_rings && !has_rings,
+                "it is for polygons of GeoJSON, TopoJSON and WKT",
+            ),
         ];
         match flags.into_iter().find(|&(_, useless, _)| useless) {
             Some((flag, _, why)) => Err(Failure::input(

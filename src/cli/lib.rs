@@ -85,7 +85,8 @@ Files are written whole or not at all; a failed command leaves the old file as i
 written over with --in-place.
 
 With --json an error is JSON on standard output, too: {\"error\": {\"kind\", \"message\", \"place\": {\"file\",
-\"line\", \"column\"} or null, \"notes\", \"help\", \"exit_code\"}}; kind is usage, input, machine or signal.
+\"line\", \"column\"} or null, \"notes\", \"help\", \"exit_code\"}}; kind is usage, input or machine. A signal
+ends the program without an answer.
 
 `dcel sample --all .` writes the files that the examples of all commands use.
 

@@ -137,6 +137,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         grid: both.grid,
         // Vertices of a and b that the grid moved.
         displaced: Moved::all(&both.displaced),
+        // How many vertices of a and b moved; some fell together.
+        displaced_points: both.displaced_points,
         // No point of an edge is further from what it became.
         farthest: both.farthest,
         rounds: both.rounds,
@@ -217,7 +219,7 @@ fn tell_rounding(both: &Overlay) {
         );
     }
     if let Some(grid) = both.grid {
-        say("note", on_grid(grid, &both.displaced, both.farthest));
+        say("note", on_grid(grid, both.displaced_points, &both.displaced, both.farthest));
     }
 }
 

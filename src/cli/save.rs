@@ -1,5 +1,6 @@
 //! Files that a command writes: which it may write, and how.
 
+use super::failure::is_json_wanted;
 use super::{Failure, Output};
 use dcel_kit::files::{WholeFolder, is_same_file, is_standard_input, write_whole};
 use dcel_kit::io::{Format, Model, write, write_path};
@@ -52,8 +53,10 @@ impl<'a> Files<'a> {
         self.read.iter().map(|(_, file)| file.to_path_buf()).collect()
     }
 
-    /// Refuses to write over what is read, and to write two results into one file. Before any work is done.
+    /// Refuses to write over what is read, and to write two results into one file or onto standard output. Before any
+    /// work is done.
     pub(crate) fn check(&self) -> Result<(), Failure> {
+        self.check_standard_output()?;
         let mut replaced = false;
         for (i, &(flag, target)) in self.written.iter().enumerate() {
             let may_be = self.in_place.filter(|(output, _)| *output == flag);
@@ -79,6 +82,17 @@ impl<'a> Files<'a> {
             return Err(Failure::input(what, "leave --in-place out, or name the input again as the output"));
         }
         Ok(())
+    }
+
+    /// Standard output holds one result: the answer in JSON is one, too.
+    fn check_standard_output(&self) -> Result<(), Failure> {
+        let mut there = self.written.iter().filter(|(_, file)| file.as_os_str() == "-").map(|&(flag, _)| flag);
+        let Some(first) = there.next() else { return Ok(()) };
+        let other = if is_json_wanted() { Some("--json") } else { there.next() };
+        other.map_or(Ok(()), |other| {
+            let what = format!("{first} - and {other} would both be written to standard output");
+            Err(Failure::call(what, format!("name a file after {first}, or leave {other} out")))
+        })
     }
 }
 

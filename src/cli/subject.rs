@@ -1,7 +1,7 @@
 //! What a command works on: a subdivision, a surface or a table.
 
 use super::Failure;
-use dcel_kit::io::{Covering, Format, Model, Places};
+use dcel_kit::io::{Covering, Format, LeftOut, Model, Places};
 use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
 use dcel_kit::topology::{Mode, TableColumns, View};
@@ -19,6 +19,8 @@ pub(crate) struct Subject {
     pub(crate) source: String,
     pub(crate) format: Format,
     pub(crate) places: Option<Places>,
+    /// What the file says and is not here.
+    pub(crate) left_out: LeftOut,
 }
 
 pub(crate) enum Kind {
@@ -31,8 +33,8 @@ pub(crate) enum Kind {
 impl Subject {
     /// A table as it stands in its file.
     pub(crate) fn of_table(table: TableColumns, source: String, format: Format) -> Self {
-        let (names, covering, places) = (FaceMap::default(), None, None);
-        Self { kind: Kind::Table(table), names, covering, trusted: false, source, format, places }
+        let (names, covering, places, left_out) = (FaceMap::default(), None, None, LeftOut::default());
+        Self { kind: Kind::Table(table), names, covering, trusted: false, source, format, places, left_out }
     }
 
     pub(crate) fn view(&self) -> &dyn View {

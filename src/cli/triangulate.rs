@@ -65,7 +65,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let source = subject.source.clone();
     let Kind::Plane(subdivision) = &mut subject.kind else {
         let what = format!("{source}: a surface in space is not cut into triangles here");
-        return Err(Failure::input(what, "--plane drops z: good for a terrain seen from above"));
+        return Err(Failure::input(
+            what,
+            "--plane drops z: good for a terrain seen from above; dcel solid split cuts one face in two",
+        ));
     };
     let before = subdivision.clone();
     let refused = |error| Failure::helped(format_args!("{source}: "), error);

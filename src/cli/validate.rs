@@ -17,7 +17,7 @@ use std::path::PathBuf;
 ///
 /// One violation a line, the id of the invariant first. In the plane all edges are checked against each
 /// other. Polygons that do not fit together are one violation, G1 to G3 or INPUT, and no structure;
-/// corners that lie inside sides of GeoJSON and TopoJSON are inserted there, with a note.
+/// corners that lie inside sides of GeoJSON, TopoJSON and WKT are inserted there, with a note.
 ///
 /// Exit code 0: valid; 1: not valid; 2: the file cannot be read.
 #[derive(clap::Args, Debug)]

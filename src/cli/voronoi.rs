@@ -18,6 +18,10 @@ use std::path::PathBuf;
 /// Reads points as lines `x y`, or the points of any other format. The cells of a box are the faces
 /// of the result, one for each site; which cells meet is decided exactly, corners are rounded.
 /// If none is given, the box holds all points with a margin of a quarter of its longer side.
+///
+/// Sites that are only a few last digits apart are refused where doubles cannot hold the edge between
+/// them, even if only counts are asked for; delaunay takes them. Moving the sites near 0 helps, if that
+/// is not where they are.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:

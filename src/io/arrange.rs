@@ -58,8 +58,16 @@ pub fn faults_with_places<'a>(soup: &'a SegmentSoup, faults: &'a [SegmentFault])
     faults.iter().map(|fault| {
         let segment = fault.segments().first().map(|&i| soup.place(i as usize));
         let place = segment.or_else(|| fault.points().first().map(|&i| soup.point_place(i as usize)));
-        format!("{}: {fault}", place.unwrap_or_else(|| soup.source.clone()))
+        let others: Vec<String> = fault.segments().iter().skip(1).map(|&i| side_of(soup, i)).collect();
+        let rest = others.concat();
+        format!("{}: {fault}{rest}", place.unwrap_or_else(|| soup.source.clone()))
     })
+}
+
+/// ` (segment 7 of states[3] "Ohio" polygon 0 ring 1)`, where the format tells of what segments are sides.
+fn side_of(soup: &SegmentSoup, segment: u32) -> String {
+    let path = soup.path(segment as usize);
+    if path.is_empty() { String::new() } else { format!(" (segment {segment} of {path})") }
 }
 
 /// Whether nothing was split and nothing moved. Segments that are there already, or have no length, are left out whether or
@@ -93,7 +101,7 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
     let by = format!(" moved by rounding, none further than {}", at_most(furthest));
     add(arranged.moved.len(), "crossing was", "crossings were", &by);
     if let Some(grid) = arranged.grid {
-        notes.push(on_grid(grid, &arranged.displaced, arranged.farthest));
+        notes.push(on_grid(grid, arranged.displaced_points, &arranged.displaced, arranged.farthest));
     }
     match arranged.collapsed[..] {
         [] => {}
@@ -106,14 +114,15 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
     notes
 }
 
-/// What a grid did to the vertices of the input, in one sentence.
+/// What a grid did to the points of the input, in one sentence: how many moved, the vertices that they became, and how far
+/// an edge is from what it was.
 #[must_use]
-pub fn on_grid(grid: f64, displaced: &[(VertexId, f64)], farthest: f64) -> String {
+pub fn on_grid(grid: f64, moved: usize, displaced: &[(VertexId, f64)], farthest: f64) -> String {
     let (grid, most) = (Number(grid), displaced.iter().map(|moved| moved.1).fold(0.0, f64::max));
-    let points = match displaced {
-        [] => "no point of the input moved".to_owned(),
-        [_] => format!("1 point of the input moved, by {}", at_most(most)),
-        more => format!("{} points of the input moved, none further than {}", more.len(), at_most(most)),
+    let points = match moved {
+        0 => "no point of the input moved".to_owned(),
+        1 => format!("1 point of the input moved, by {}", at_most(most)),
+        more => format!("{more} points of the input moved, none further than {}", at_most(most)),
     };
     format!("points were rounded to a grid of {grid}: {points}, and no edge further than {}", at_most(farthest))
 }

@@ -45,7 +45,7 @@ impl Read {
 pub struct ReadOptions {
     /// The y of the file points down: negate it. That of grid maps is known to, and negated without this.
     pub y_down: bool,
-    /// Drop rings of GeoJSON and TopoJSON that enclose nothing, with a note, instead of refusing them: those with fewer
+    /// Drop rings of GeoJSON, TopoJSON and well-known text that enclose nothing, with a note, instead of refusing them: those with fewer
     /// than three distinct points, and those whose points all lie on one line, decided exactly. An outer ring takes its
     /// polygon with it.
     pub drop_degenerate_rings: bool,
@@ -54,12 +54,12 @@ pub struct ReadOptions {
     ///
     /// [`mend_polygons`]: crate::plane::Subdivision::mend_polygons
     pub keep_inner_rings: bool,
-    /// Close rings of GeoJSON that do not end where they start, with a note, instead of refusing them.
+    /// Close rings of GeoJSON and well-known text that do not end where they start, with a note, instead of refusing them.
     pub close_rings: bool,
-    /// The object of a TopoJSON file to read; without it, the one with the most polygons.
+    /// The object of a TopoJSON file to read; without it, the one with the most polygons, then lines, then points.
     pub object: Option<String>,
-    /// Read polygons of GeoJSON as their outlines, together with the lines. Without it lines are read only if there
-    /// is no polygon.
+    /// Read polygons of GeoJSON, TopoJSON and well-known text as their outlines, together with the lines and points.
+    /// Without it lines are read only if there is no polygon.
     pub outlines: bool,
     /// Give a half-edge structure in columns, which take less than half of the memory of a table.
     pub columns: bool,

@@ -13,7 +13,7 @@
 //!   topojson    .topojson .json    x            the same, with shared borders
 //!   mesh        .mesh              x     x      navigation meshes (polyanya; versions 2 and 3, written as 2)
 //!   map         .map               x            grid maps of Moving AI, read as rectangles
-//!   wkt         .wkt               x            points, lines and polygons, read as segments
+//!   wkt         .wkt               x            polygons with holes; or points and segments
 //!   poly        .poly              x            points, segments and holes of Triangle
 //!   segments    .segments .cin     x            four numbers a line
 //!   dcel        .dcel              x     x      everything, broken structures included
@@ -50,7 +50,7 @@ pub enum Format {
     Mesh,
     /// [Grid map](super::grid) of the Moving AI benchmarks, read as rectangles.
     Map,
-    /// [Well-known text](super::wkt), read as segments.
+    /// [Well-known text](super::wkt): polygons, or segments if there is none.
     Wkt,
     /// The [`.poly`](super::poly) files of Triangle.
     Poly,
@@ -75,7 +75,7 @@ const ROWS: [(&str, &[&str], &str); 16] = [
     ("topojson", &["topojson"], "TopoJSON: polygons with shared borders (read only)"),
     ("mesh", &["mesh"], "polyanya .mesh, versions 2 and 3: a navigation mesh"),
     ("map", &["map"], "Moving AI .map: a grid of cells, as rectangles (read only)"),
-    ("wkt", &["wkt"], "well-known text: points, lines and polygons, as segments (read only)"),
+    ("wkt", &["wkt"], "well-known text: polygons with holes; lines and points, if there is no polygon (read only)"),
     ("poly", &["poly"], "Triangle's .poly: points, segments and holes (read only)"),
     ("segments", &["segments", "seg", "cin"], "plain segments: four numbers a line (read only)"),
     ("dcel", &["dcel"], "the kit's text: the whole structure, broken ones included"),

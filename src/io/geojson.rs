@@ -110,10 +110,9 @@ impl Reader<'_> {
         if feature.need_kind(&path)? != "Feature" {
             return Err(shape(&path, "an object of type \"Feature\"").into());
         }
-        match &feature.geometry {
-            None => Ok(()),
-            Some(geometry) => self.geometry(geometry, &path, name.as_deref()),
-        }
+        let Some(geometry) = &feature.geometry else { return Ok(()) };
+        feature.count_left_out(&mut self.rings.left_out);
+        self.geometry(geometry, &path, name.as_deref())
     }
 
     fn geometry(&mut self, geometry: &Node<'_>, path: &str, name: Option<&str>) -> Result<(), Fault> {
@@ -129,8 +128,9 @@ impl Reader<'_> {
                     "MultiPolygon" => 3,
                     _ => 2,
                 };
-                let chains = !kind.ends_with("Point");
-                self.positions(&mut Arrays::new(coordinates, self.file), path, depth, chains, kind.ends_with("Polygon"))
+                let (chains, closed) = (!kind.ends_with("Point"), kind.ends_with("Polygon"));
+                let first = if kind == "Polygon" { format!("{path} polygon 0") } else { path.to_owned() };
+                self.positions(&mut Arrays::new(coordinates, self.file), &first, depth, chains, closed)
             }
             "Polygon" | "MultiPolygon" => {
                 let coordinates = geometry.coordinates.ok_or_else(|| lacks(path, "coordinates"))?;
@@ -171,24 +171,24 @@ impl Reader<'_> {
         let at = arrays.offset();
         let wrong = || shape(path, "an array of positions");
         arrays.each(wrong, |arrays, i| {
-            let place = if depth > 1 { format!("{path} part {i}") } else { format!("{path} position {i}") };
+            let item = match (depth, closed) {
+                (1, _) => "position",
+                (2, true) => "ring",
+                (_, true) => "polygon",
+                (_, false) => "part",
+            };
+            let place = format!("{path} {item} {i}");
             self.positions(arrays, &place, depth - 1, chains, closed)
         })?;
         let Some(soup) = self.soup.as_mut().filter(|_| depth == 1 && chains) else { return Ok(()) };
         if soup.points.len() == first + 1 {
             return Err(Fault::at(at, shape(path, "two positions or more")));
         }
-        if let (true, [a, .., b]) = (closed, &soup.points[first..]) {
-            if a == b {
-                soup.points.pop();
-                soup.point_lines.pop();
-            } else if self.closes {
-                self.closed.add(1, || path.to_owned());
-            } else {
-                let (first, last) = (a.to_string(), b.to_string());
-                return Err(Fault::at(at, ReadProblem::UnclosedRing { place: path.to_owned(), first, last }));
-            }
+        if closed {
+            let ended = soup.end_ring(first, path, self.closes.then_some(&mut self.closed));
+            ended.map_err(|problem| Fault::at(at, problem))?;
         }
+        soup.begin_path(path);
         soup.chain(first as u32, closed);
         Ok(())
     }

@@ -17,7 +17,7 @@ pub(super) fn polygons(
     rings: &mut Rings,
     read_ring: &mut ReadRing<'_>,
 ) -> Result<usize, Fault> {
-    let mut empty = 0;
+    let (mut empty, before) = (0, rings.polygon_count());
     let mut polygon = |arrays: &mut Arrays<'_>, polygon: usize| {
         rings.begin_polygon(format_args!("{path} polygon {polygon}"), name);
         arrays.each(
@@ -37,6 +37,7 @@ pub(super) fn polygons(
     } else {
         arrays.each(|| shape(path, "an array of polygons"), polygon)?;
     }
+    rings.left_out.groups += usize::from(rings.polygon_count() > before + 1);
     Ok(empty)
 }
 

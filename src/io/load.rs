@@ -13,6 +13,7 @@
 use super::arrange::{arrange, describe, is_as_given};
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
+use super::left_out::LeftOut;
 use super::load_error::{LoadError, Whereabouts};
 use super::mend::{Covering, MendedSoup, mend};
 use super::misfit::{Misfit, Told};
@@ -35,7 +36,7 @@ pub struct LoadOptions {
     /// How to read it.
     pub read: ReadOptions,
     /// Turn round the faces of a plane that run clockwise, and those of a surface that are wound against the rest.
-    /// GeoJSON and TopoJSON are always treated so: their rings may run either way.
+    /// GeoJSON, TopoJSON and well-known text are always treated so: their rings may run either way.
     pub orient: bool,
     /// Split segments where they meet, and polygons of the plane that overlap, touch or cross, instead of refusing
     /// them; see [`Subdivision::arrange_graph`] and [`Subdivision::mend_polygons`]. The notes say what was done,
@@ -70,6 +71,8 @@ pub struct Loaded {
     pub covering: Option<Covering>,
     /// What was dropped, repaired or chosen, one sentence each: for the user.
     pub notes: Vec<String>,
+    /// What the file says of its polygons and is not in the structure; writing another file loses it.
+    pub left_out: LeftOut,
     /// The format it was.
     pub format: Format,
     /// Where the points and faces stood; nothing for tables.
@@ -120,14 +123,30 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
-            return Ok(Loaded { structure, names, covering: None, notes, format, places: None });
+            return Ok(Loaded {
+                structure,
+                names,
+                covering: None,
+                notes,
+                left_out: LeftOut::default(),
+                format,
+                places: None,
+            });
         }
         Document::Columns(mut table) => {
             let names = table.names_in_plane();
             let structure = Subdivision::from_columns(&mut table)
                 .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;
             let structure = Structure::Plane(structure);
-            return Ok(Loaded { structure, names, covering: None, notes, format, places: None });
+            return Ok(Loaded {
+                structure,
+                names,
+                covering: None,
+                notes,
+                left_out: LeftOut::default(),
+                format,
+                places: None,
+            });
         }
         Document::Table(table) => {
             let structure = Subdivision::from_table(&table)
@@ -138,16 +157,25 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
                 names.swap(0, outer.index());
             }
             let structure = Structure::Plane(structure);
-            return Ok(Loaded { structure, names: names.into(), covering: None, notes, format, places: None });
+            return Ok(Loaded {
+                structure,
+                names: names.into(),
+                covering: None,
+                notes,
+                left_out: LeftOut::default(),
+                format,
+                places: None,
+            });
         }
     };
     let mode = options.mode.unwrap_or(if soup.has_z { Mode::Surface } else { Mode::Plane });
     if mode == Mode::Plane {
         return plane(soup, options, notes, format);
     }
-    let PolygonSoup { points, faces, names, places, .. } = soup;
+    let PolygonSoup { points, faces, names, places, left_out, .. } = soup;
     let structure = surface(points, faces, &places, options, &mut notes)?;
-    Ok(Loaded { structure, names: named(names, 0), covering: None, notes, format, places: Some(places) })
+    let names = named(names, 0);
+    Ok(Loaded { structure, names, covering: None, notes, left_out, format, places: Some(places) })
 }
 
 /// The names of faces, of which the first one has the number `first`.
@@ -165,7 +193,7 @@ fn plane(
     mut notes: Vec<String>,
     format: Format,
 ) -> Result<Loaded, LoadError> {
-    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction, mended_rings, .. } = soup;
+    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction, mended_rings, left_out, .. } = soup;
     if has_z {
         notes.push("the z of the points was dropped".to_owned());
     }
@@ -187,7 +215,7 @@ fn plane(
             let MendedSoup { subdivision, names, covering, notes: told } = mend(&told, names, &blocked)?;
             notes.extend(told);
             let (structure, covering) = (Structure::Plane(subdivision), Some(covering));
-            return Ok(Loaded { structure, names, covering, notes, format, places: None });
+            return Ok(Loaded { structure, names, covering, notes, left_out, format, places: None });
         }
         Err(error) => {
             let Misfit { what, rings } = told.misfit(&error, convert.full_check);
@@ -212,7 +240,8 @@ fn plane(
         subdivision.set_hole(FaceId::new(face + 1), true);
     }
     let structure = Structure::Plane(subdivision);
-    Ok(Loaded { structure, names: named(names, 1), covering: None, notes, format, places: Some(places) })
+    let names = named(names, 1);
+    Ok(Loaded { structure, names, covering: None, notes, left_out, format, places: Some(places) })
 }
 
 /// Whether the polygons can be split so that they fit together.

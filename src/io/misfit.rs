@@ -7,6 +7,7 @@
 
 use super::outline::{Directions, Outline};
 use super::soup::Places;
+use super::touches::closed_chain;
 use crate::geometry::number::Number;
 use crate::ids::VertexId;
 use crate::plane::predicates::{left_to_right, orientation};
@@ -64,7 +65,7 @@ impl Told<'_> {
             }
             ConvertError::InPieces { face } => {
                 let what = format!("the inside of {} is cut into pieces by its holes", self.polygon(face));
-                Misfit { what, rings: vec![[face, 0]] }
+                self.in_pieces(face, what)
             }
             ConvertError::CommonEdge { face, u, v } => self.common_edge(face, [u, v]),
             ConvertError::InsideFace { face, vertex } => self.inside(face, vertex, checked),
@@ -208,6 +209,23 @@ impl Told<'_> {
             false => format!("a corner of {name}, {at}, lies inside {around}: they overlap"),
         };
         Misfit { what, rings: vec![inner, [outer, 0]] }
+    }
+
+    /// Which rings of a polygon cut it into pieces, and where they touch.
+    fn in_pieces(&self, face: u32, what: String) -> Misfit {
+        const SHOWN: usize = 6;
+        let corners = |ring| self.cycle(ring).iter().map(|&v| self.point(v)).collect();
+        let Some(chain) = closed_chain(&self.rings_of(face).map(corners).collect::<Vec<_>>()) else {
+            return Misfit { what, rings: vec![[face, 0]] };
+        };
+        let mut rings: Vec<[u32; 2]> = chain.rings.iter().map(|&ring| [face, ring]).collect();
+        rings.sort_unstable();
+        let numbers: Vec<String> = rings.iter().map(|&ring| format!("ring {}", self.ring_number(ring))).collect();
+        let places: Vec<String> = chain.places.iter().map(|&p| self.in_file(p)).collect();
+        let (numbers, places) = (listed(&numbers, SHOWN), listed(&places, SHOWN));
+        let in_turn = if rings.len() > 2 { " one after another" } else { "" };
+        rings.truncate(SHOWN);
+        Misfit { what: format!("{what}: {numbers} touch{in_turn} at {places}"), rings }
     }
 
     /// Whether a polygon covers a point inside of it: that it does not only touch.
@@ -501,6 +519,17 @@ impl Told<'_> {
 
     fn rings_of(&self, face: u32) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
         (0..self.faces.cycle_range(face as usize).len() as u32).map(move |cycle| [face, cycle])
+    }
+}
+
+/// `a, b and c`; of a long list the first ones, and how many more.
+fn listed(words: &[String], most: usize) -> String {
+    let shown = &words[..words.len().min(most)];
+    let more = words.len() - shown.len();
+    match shown {
+        _ if more > 0 => format!("{} and {more} more", shown.join(", ")),
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => shown.concat(),
     }
 }
 

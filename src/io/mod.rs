@@ -29,13 +29,14 @@
 //   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids
 //   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs and labels.rs
 //   JSON          json.rs -> geojson.rs topojson.rs -> geometries.rs arrays.rs nodes.rs
-//                 rings.rs               joins equal points of rings
-//   segments      segments.rs wkt.rs poly.rs -> arrange.rs
+//                 rings.rs               joins equal points of rings    left_out.rs  what is read over
+//   both          wkt.rs                 polygons into rings.rs, or segments
+//   segments      segments.rs poly.rs -> arrange.rs
 //   others        dcel.rs tables.rs      whole structures       scen/  queries       points.rs  points alone
 //   formats       format.rs sniff.rs     by name or by content
 //   text          blocks.rs block.rs     files in pieces       text.rs announced.rs    words with places, numbers with their words
 //                 words.rs near.rs       words that were meant
-//   faults        problem.rs load_error.rs misfit.rs outline.rs write_error.rs       room.rs  asks for memory before it is needed
+//   faults        problem.rs load_error.rs misfit.rs outline.rs touches.rs write_error.rs       room.rs  asks for memory before it is needed
 //   repair        mend.rs                polygons that are split so that they fit
 
 mod announced;
@@ -51,6 +52,7 @@ mod geometries;
 pub mod grid;
 mod json;
 mod labels;
+mod left_out;
 mod load;
 mod load_error;
 mod mend;
@@ -78,6 +80,7 @@ pub mod stl;
 pub mod tables;
 mod text;
 pub mod topojson;
+mod touches;
 pub mod triangle;
 pub mod wkt;
 mod words;
@@ -90,6 +93,7 @@ pub use document::{Document, Read, ReadOptions};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
 pub use labels::Labels;
+pub use left_out::LeftOut;
 pub use load::{LoadOptions, Loaded, NOTHING_TO_MEND, Structure, assemble, load};
 pub use load_error::LoadError;
 pub use mend::Covering;

@@ -1,14 +1,16 @@
 //! Objects of the two JSON formats, the place of an element in them, and what can be wrong there.
 
+use super::left_out::LeftOut;
 use super::problem::ReadProblem;
-use serde::Deserialize;
+use serde::de::{Deserialize, Deserializer, Error as _, IgnoredAny, MapAccess, Visitor};
 use serde_json::value::RawValue;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 
 /// Any object of the two formats with the members the kit uses.
-#[derive(Deserialize)]
+#[derive(serde::Deserialize)]
 #[serde(expecting = "an object")]
 pub(super) struct Node<'a> {
     #[serde(borrow, rename = "type")]
@@ -34,7 +36,7 @@ pub(super) struct Node<'a> {
 }
 
 /// The transform of a quantised topology.
-#[derive(Deserialize)]
+#[derive(serde::Deserialize)]
 #[serde(expecting = "an object")]
 pub(super) struct Transform<'a> {
     #[serde(borrow)]
@@ -43,13 +45,58 @@ pub(super) struct Transform<'a> {
     pub(super) translate: Option<&'a RawValue>,
 }
 
-#[derive(Deserialize)]
-#[serde(expecting = "an object")]
+#[derive(Default)]
 struct Properties<'a> {
-    #[serde(borrow)]
     name: Option<&'a RawValue>,
-    #[serde(borrow, rename = "NAME")]
     upper_name: Option<&'a RawValue>,
+    /// Whether there are others.
+    others: bool,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(field_identifier)]
+enum Property {
+    #[serde(rename = "name")]
+    Name,
+    #[serde(rename = "NAME")]
+    UpperName,
+    #[serde(other)]
+    Other,
+}
+
+impl<'de: 'a, 'a> Deserialize<'de> for Properties<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Members<'a>(PhantomData<&'a ()>);
+
+        impl<'de: 'a, 'a> Visitor<'de> for Members<'a> {
+            type Value = Properties<'a>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<M: MapAccess<'de>>(self, mut members: M) -> Result<Self::Value, M::Error> {
+                let mut all = Properties::default();
+                while let Some(key) = members.next_key()? {
+                    let (name, value) = match key {
+                        Property::Name => ("name", &mut all.name),
+                        Property::UpperName => ("NAME", &mut all.upper_name),
+                        Property::Other => {
+                            members.next_value::<IgnoredAny>()?;
+                            all.others = true;
+                            continue;
+                        }
+                    };
+                    if value.replace(members.next_value()?).is_some() {
+                        return Err(M::Error::duplicate_field(name));
+                    }
+                }
+                Ok(all)
+            }
+        }
+
+        deserializer.deserialize_map(Members(PhantomData))
+    }
 }
 
 /// A problem with what to try, and where in the file it is.
@@ -106,11 +153,26 @@ impl<'a> Node<'a> {
     pub(super) fn name(&self) -> Option<Cow<'a, str>> {
         let properties = self.properties.as_ref();
         let names = [properties.and_then(|p| p.name), properties.and_then(|p| p.upper_name), self.id];
-        names.into_iter().flatten().find_map(|value| match value.get().as_bytes() {
-            [b'\"', ..] => string(value),
-            [b'-' | b'0'..=b'9', ..] => Some(value.get().into()),
-            _ => None,
-        })
+        names.into_iter().flatten().find_map(word)
+    }
+
+    /// Counts what the name of a feature leaves out.
+    pub(super) fn count_left_out(&self, counts: &mut LeftOut) {
+        let properties = self.properties.as_ref();
+        let names = properties.map_or([None, None], |p| [p.name, p.upper_name].map(|name| name.and_then(word)));
+        let is_named = names.iter().any(Option::is_some);
+        counts.ids += usize::from(is_named && self.id.is_some_and(|id| id.get() != "null"));
+        let both = names.iter().all(Option::is_some) && names[0] != names[1];
+        counts.properties += usize::from(both || properties.is_some_and(|p| p.others));
+    }
+}
+
+/// A value as a name: strings and numbers are.
+fn word(value: &RawValue) -> Option<Cow<'_, str>> {
+    match value.get().as_bytes() {
+        [b'\"', ..] => string(value),
+        [b'-' | b'0'..=b'9', ..] => Some(value.get().into()),
+        _ => None,
     }
 }
 

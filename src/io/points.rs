@@ -15,9 +15,10 @@ use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{format_of, open, read_opened, source_name};
 use super::room::{reserved, too_little};
-use super::soup::SoupBuilder;
+use super::soup::{SegmentSoup, SoupBuilder};
 use super::text::{Scanner, Syntax, note_of_the_end};
 use super::triangle;
+use crate::geometry::places::first_of_equals;
 use crate::ids::{MAX_IDS, VertexId};
 use crate::plane::Point;
 use crate::topology::View;
@@ -65,14 +66,16 @@ impl PointList {
 /// Reads the points of a file; `-` is standard input.
 ///
 /// The format, or the end of the name, or the first bytes tell how: of formats with polygons, segments or tables the
-/// points are taken, and z is dropped; a `.node` file may stand alone. All other files are plain text, as above.
-/// y points up in the result, see [`ReadOptions::y_down`].
+/// points are taken, and z is dropped; a `.node` file may stand alone. GeoJSON, TopoJSON and well-known text give their
+/// points and the corners of their lines and polygons; corners that are written several times are taken once. All other
+/// files are plain text, as above. y points up in the result, see [`ReadOptions::y_down`].
 ///
 /// # Errors
 /// [`ReadError`] with the place of the first problem.
 pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, ReadError> {
     let source = source_name(path);
     let mut blocks = open(path, &source)?;
+    let options = &ReadOptions { outlines: true, ..options.clone() };
     let format = format_of(path, &mut blocks, options)?;
     let is_node = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("node"));
     let mut list = match format {
@@ -107,7 +110,15 @@ fn points_of(read: Read, source: String) -> PointList {
             let lines = if same_file { soup.places.vertex_lines } else { Vec::new() };
             PointList { points, lines, source, notes }
         }
-        Document::Segments(soup) => PointList { points: soup.points, lines: soup.point_lines, source, notes },
+        Document::Segments(soup) => {
+            let kept = match read.format {
+                Format::GeoJson | Format::TopoJson | Format::Wkt => each_corner_once(&soup),
+                _ => (0..soup.points.len()).collect(),
+            };
+            let points = kept.iter().map(|&p| soup.points[p]).collect();
+            let lines = kept.iter().map(|&p| soup.point_lines[p]).collect();
+            PointList { points, lines, source, notes }
+        }
         Document::Columns(table) => {
             let positions = (0..table.vertex_bound() as u32).filter_map(|v| table.position(VertexId::new(v)));
             PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
@@ -117,6 +128,19 @@ fn points_of(read: Read, source: String) -> PointList {
             PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
         }
     }
+}
+
+/// The numbers of the points that no segment uses, and of the ends of segments without those at the place of an earlier end.
+fn each_corner_once(soup: &SegmentSoup) -> Vec<usize> {
+    let mut keeps = vec![true; soup.points.len()];
+    soup.segments.as_flattened().iter().for_each(|&end| keeps[end as usize] = false);
+    let corners: Vec<usize> = (0..keeps.len()).filter(|&p| !keeps[p]).collect();
+    // -0 + 0 = 0: the two zeros are one coordinate.
+    let places: Vec<[f64; 2]> = corners.iter().map(|&p| [soup.points[p].x + 0.0, soup.points[p].y + 0.0]).collect();
+    for (i, first) in first_of_equals(&places).into_iter().enumerate() {
+        keeps[corners[i]] = i == first as usize;
+    }
+    (0..keeps.len()).filter(|&p| keeps[p]).collect()
 }
 
 /// Reads plain points that are in memory. `source_name` is what errors call them. O(length).

@@ -39,7 +39,7 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
         Format::Mesh => mesh::read(bytes, source_name),
         Format::Map => grid::read(bytes, source_name),
         Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),
-        Format::Wkt => wkt::read(bytes, source_name),
+        Format::Wkt => wkt::read(bytes, source_name, options),
         Format::Poly => poly::read(triangle::File { bytes, source: source_name }, None),
         Format::Triangle => {
             let problem = ReadProblem::PartnerMissing { partner: "of this .node or .ele file".to_owned() };

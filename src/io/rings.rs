@@ -11,6 +11,7 @@
 //! Points are numbered in the order in which they first come in a ring that is kept.
 
 use super::document::ReadOptions;
+use super::left_out::LeftOut;
 use super::nodes::Fault;
 use super::problem::ReadProblem;
 use super::soup::{Places, PolygonSoup, SegmentSoup, check_sizes};
@@ -42,6 +43,8 @@ pub(super) struct Rings {
     /// Whether rings are closed that do not end where they start, and which were.
     closes: bool,
     closed: Repaired,
+    /// What readers of features leave out.
+    pub(super) left_out: LeftOut,
     stage: Stage,
 }
 
@@ -58,6 +61,11 @@ impl Rings {
         self.path_ends.push(self.paths.len() as u32);
         self.names.push(name.map(str::to_owned));
         self.any_name |= name.is_some();
+    }
+
+    /// How many polygons there are.
+    pub(super) fn polygon_count(&self) -> usize {
+        self.polygon_ends.len()
     }
 
     /// Ends a polygon. One without rings is dropped; the answer says whether that happened.
@@ -106,12 +114,18 @@ impl Rings {
 
     /// Appends the rings, or the chains if they are not `closed`, to a list of segments.
     pub(super) fn outlines(&self, closed: bool, lines: &mut LineCounter<'_>, soup: &mut SegmentSoup) {
-        let mut start = 0;
-        for (&end, &offset) in self.ring_ends.iter().zip(&self.ring_offsets) {
+        let (mut start, mut polygon, mut first_ring) = (0, 0, 0);
+        for (ring, (&end, &offset)) in self.ring_ends.iter().zip(&self.ring_offsets).enumerate() {
+            while let Some(&end) = self.polygon_ends.get(polygon).filter(|&&end| end as usize <= ring) {
+                (polygon, first_ring) = (polygon + 1, end as usize);
+            }
             let (first, line) = (soup.points.len() as u32, lines.line(offset as usize));
             for &point in &self.points[start..end as usize] {
                 soup.point(point, line);
             }
+            // Chains belong to no polygon.
+            let path = || format!("{} ring {}", self.path(polygon), ring - first_ring);
+            soup.begin_path(&if polygon < self.polygon_ends.len() { path() } else { String::new() });
             soup.chain(first, closed);
             start = end as usize;
         }
@@ -120,6 +134,11 @@ impl Rings {
     /// Closes rings that do not end where they start, instead of refusing them.
     pub(super) fn close_rings(&mut self) {
         self.closes = true;
+    }
+
+    /// The rings that were closed.
+    pub(super) fn closed(&self) -> &Repaired {
+        &self.closed
     }
 
     /// Ends a ring, which must end where it started; `offset` is the byte at which it starts in the file.
@@ -154,7 +173,8 @@ impl Rings {
         let mut faces = Faces { same_as: first_of_equals(&self.points), ..Faces::default() };
         faces.numbers = vec![u32::MAX; self.points.len()];
         let own = Places { source: source.to_owned(), ..Places::default() };
-        let mut soup = PolygonSoup { places: own, any_direction: true, ..PolygonSoup::default() };
+        let left_out = self.left_out;
+        let mut soup = PolygonSoup { places: own, any_direction: true, left_out, ..PolygonSoup::default() };
         let mut offsets = Vec::with_capacity(self.ring_offsets.len());
         let (mut dropped, mut repeated) = (Vec::new(), Repaired::default());
         let (mut ring, mut point) = (0, 0);

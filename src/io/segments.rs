@@ -12,15 +12,25 @@ use super::announced::Announced;
 use super::blocks::Blocks;
 use super::document::{Document, Read};
 use super::format::Format;
-use super::problem::ReadError;
+use super::problem::{ReadError, ReadProblem};
 use super::soup::SegmentSoup;
-use super::text::{Scanner, Syntax};
+use super::text::{Scanner, Syntax, Word};
 
 /// Whether a line holds four numbers.
 pub(super) fn is_segment(line: &str) -> bool {
     let line = line.split('#').next().unwrap_or("");
     let words = || line.split_ascii_whitespace();
     words().count() == 4 && words().all(|word| word.parse::<f64>().is_ok())
+}
+
+/// Refuses numbers that commas or semicolons part: a comma may as well be meant as a decimal point.
+fn check_blanks(scanner: &Scanner<'_>, word: Word<'_>) -> Result<(), ReadError> {
+    if !word.text.iter().any(|b| matches!(b, b',' | b';')) {
+        return Ok(());
+    }
+    let problem = ReadProblem::NotANumber { word: word.show(), wanted: "a number" };
+    let help = "write a segment as x y x y: four numbers with blanks between, and a point for decimals";
+    Err(scanner.error(word.at, problem, help))
 }
 
 /// Reads plain segments. O(length).
@@ -36,6 +46,7 @@ pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
         let mut scanner = Scanner::of_block(block, SYNTAX);
         while let Some(first) = scanner.word_anywhere() {
             let line = scanner.line();
+            check_blanks(&scanner, first)?;
             let Some(second) = scanner.word() else {
                 if announced.is_some() || !soup.points.is_empty() {
                     return Err(scanner.missing("the y of the point".to_owned()));
@@ -43,10 +54,13 @@ pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
                 announced = Some(Announced::new(&scanner, first)?);
                 continue;
             };
+            check_blanks(&scanner, second)?;
             let start = [scanner.coordinate('x', first)?, scanner.coordinate('y', second)?];
             let start = soup.point(start, line);
             let Some(third) = scanner.word() else { continue };
+            check_blanks(&scanner, third)?;
             let y = scanner.need(|| "the y of the second end".to_owned())?;
+            check_blanks(&scanner, y)?;
             let end = [scanner.coordinate('x', third)?, scanner.coordinate('y', y)?];
             let end = soup.point(end, line);
             soup.segment([start, end], line);

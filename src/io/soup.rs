@@ -1,7 +1,9 @@
 //! What formats hold: points with faces or segments, and where each stood in the file.
 
 use super::labels::Labels;
+use super::left_out::LeftOut;
 use super::problem::{ReadError, ReadProblem};
+use super::rings::Repaired;
 use super::room::{reserved, too_little};
 use crate::ids::MAX_IDS;
 use crate::plane::Point;
@@ -33,6 +35,8 @@ pub struct PolygonSoup {
     pub any_direction: bool,
     /// How many rings were closed, or dropped, when the file was read.
     pub mended_rings: usize,
+    /// What the file says of the polygons and is not here.
+    pub left_out: LeftOut,
 }
 
 /// An axis of space.
@@ -233,6 +237,9 @@ pub struct SegmentSoup {
     pub segment_lines: Vec<u32>,
     /// The line of each hole point, from 1.
     pub hole_lines: Vec<u32>,
+    /// What the segments are sides of, of formats that have polygons: from this segment on, a path such as
+    /// `features[3] "Ohio" polygon 0 ring 1`, or nothing. In the order of the segments.
+    pub paths: Vec<(u32, String)>,
     /// How many rings were closed when the file was read.
     pub mended_rings: usize,
 }
@@ -271,6 +278,45 @@ impl SegmentSoup {
         self.segment_lines.push(line);
     }
 
+    /// Forgets all points and segments.
+    pub(super) fn clear(&mut self) {
+        self.points.clear();
+        self.point_lines.clear();
+        self.segments.clear();
+        self.segment_lines.clear();
+        self.paths.clear();
+    }
+
+    /// The segments that come next are sides of what is at this path, or of nothing that has one.
+    pub(super) fn begin_path(&mut self, path: &str) {
+        let first = self.segments.len() as u32;
+        self.paths.pop_if(|last| last.0 == first);
+        if self.paths.last().map_or("", |(_, last)| last) != path {
+            self.paths.push((first, path.to_owned()));
+        }
+    }
+
+    /// Ends a ring that begins with point `first`: the last point must be the first one again, and goes. If `closed` takes
+    /// rings that do not end so, they stay as they are.
+    pub(super) fn end_ring(
+        &mut self,
+        first: usize,
+        place: &str,
+        closed: Option<&mut Repaired>,
+    ) -> Result<(), ReadProblem> {
+        if let [a, .., b] = self.points[first..] {
+            if a == b {
+                self.points.pop();
+                self.point_lines.pop();
+            } else {
+                let (first, last) = (a.to_string(), b.to_string());
+                let problem = ReadProblem::UnclosedRing { place: place.to_owned(), first, last };
+                closed.ok_or(problem)?.add(1, || place.to_owned());
+            }
+        }
+        Ok(())
+    }
+
     /// Appends the segments of a chain of points, of which some came before; `closed` adds the way back.
     pub(super) fn chain(&mut self, first: u32, closed: bool) {
         let end = self.points.len() as u32;
@@ -294,10 +340,21 @@ impl SegmentSoup {
         }
     }
 
-    /// Where a segment stands: `roads.wkt:12`.
+    /// Where a segment stands: `roads.wkt:12`, and of what it is a side, if the format tells:
+    /// `map.json:3: features[3] "Ohio" polygon 0 ring 1`.
     #[must_use]
     pub fn place(&self, segment: usize) -> String {
-        self.at_line(self.segment_lines.get(segment))
+        let line = self.at_line(self.segment_lines.get(segment));
+        match self.path(segment) {
+            "" => line,
+            path => format!("{line}: {path}"),
+        }
+    }
+
+    /// The path of what a segment is a side of; empty if the format tells nothing.
+    pub(super) fn path(&self, segment: usize) -> &str {
+        let after = self.paths.partition_point(|&(first, _)| first as usize <= segment);
+        after.checked_sub(1).map_or("", |run| &self.paths[run].1)
     }
 
     /// Where a point stands.

@@ -13,9 +13,9 @@
 //! points exactly, and points of different arcs are joined where they come out equal.
 //!
 //! A file may hold several objects (`states`, `nation`). Without a choice the one with the most polygons is
-//! read, and a note says so. Lines and points beside polygons are skipped with a note; an object without polygons is
-//! read as segments and points, and on request every object is, polygons by their outlines. Which way y points is not written down: maps for the screen have it downwards,
-//! see [`ReadOptions::y_down`].
+//! read, of those without polygons the one with the most lines, then points, and a note says so. Lines and points beside polygons are skipped with a note; an object without polygons is
+//! read as segments and points, and on request every object is, polygons by their outlines. Which way y points is not
+//! written down: maps for the screen have it downwards, see [`ReadOptions::y_down`].
 //!
 //! Source: M. Bostock and C. Metcalf, *The TopoJSON Format Specification* (version 1).
 
@@ -33,7 +33,7 @@ use crate::plane::check_coordinate;
 use crate::progress::Stage;
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 
 /// Arcs may be used this often on average; a map uses each of them once or twice. Without a limit a small file
 /// could ask for any amount of memory.
@@ -71,7 +71,7 @@ pub(super) fn read(
     let arcs = Arcs::read(root, file)?;
     let objects = root.objects.as_ref().ok_or_else(|| shape("the file", "an object \"objects\""))?;
     let (name, object) = choose(objects, file, options.object.as_deref(), notes)?;
-    let segments = options.outlines || (polygon_count(object, file) == 0 && has_lines(object));
+    let segments = options.outlines || matches!(Contents::of(object, file), Contents { polygons: 0, lines: 1.., .. });
     let mut reader = Reader {
         file,
         arcs: &arcs,
@@ -93,7 +93,9 @@ pub(super) fn read(
     }
     reader.skipped.note(notes);
     let Some(chains) = reader.chains else { return Ok(Shapes::Rings(reader.rings)) };
+    reader.rings.closed().note_closed(notes);
     let (mut soup, mut lines) = (SegmentSoup::new(source), LineCounter::new(file));
+    soup.mended_rings = reader.rings.closed().count();
     reader.rings.outlines(true, &mut lines, &mut soup);
     chains.outlines(false, &mut lines, &mut soup);
     for (point, offset) in reader.single {
@@ -102,27 +104,85 @@ pub(super) fn read(
     Ok(Shapes::Segments(soup))
 }
 
-/// Whether there is a line in the object.
-fn has_lines(node: &Node<'_>) -> bool {
-    let own = node.kind().is_some_and(|kind| kind.ends_with("LineString"));
-    own || node.geometries.iter().flatten().any(has_lines)
+/// What an object holds, counted. The order is that of preference.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+struct Contents {
+    polygons: usize,
+    lines: usize,
+    points: usize,
 }
 
-/// The object that was asked for, or the one with the most polygons.
+impl Contents {
+    fn of(node: &Node<'_>, file: &str) -> Self {
+        // What has the wrong shape counts as nothing here and is named when it is read.
+        let wrong = || shape("", "");
+        let arc = |arrays: &mut Arrays<'_>, _| number(arrays, wrong).map(drop);
+        let list = |arrays: &mut Arrays<'_>| arrays.each(wrong, arc);
+        let lists = |arrays: &mut Arrays<'_>| arrays.each(wrong, |arrays, _| list(arrays));
+        let position = |arrays: &mut Arrays<'_>| arrays.position().map(drop).ok_or_else(|| Fault::from(wrong()));
+        match node.kind().as_deref() {
+            Some("Polygon") => Self { polygons: 1, ..Self::default() },
+            Some("LineString") => Self { lines: 1, ..Self::default() },
+            Some("Point") => Self { points: 1, ..Self::default() },
+            Some("MultiPolygon") => Self { polygons: items(node.arcs, file, lists), ..Self::default() },
+            Some("MultiLineString") => Self { lines: items(node.arcs, file, list), ..Self::default() },
+            Some("MultiPoint") => Self { points: items(node.coordinates, file, position), ..Self::default() },
+            Some("GeometryCollection") => {
+                let parts = node.geometries.iter().flatten().map(|part| Self::of(part, file));
+                parts.fold(Self::default(), |sum, part| Self {
+                    polygons: sum.polygons + part.polygons,
+                    lines: sum.lines + part.lines,
+                    points: sum.points + part.points,
+                })
+            }
+            _ => Self::default(),
+        }
+    }
+
+    fn is_empty(self) -> bool {
+        self == Self::default()
+    }
+}
+
+impl Display for Contents {
+    /// `2 polygons, 1 line`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kinds =
+            [(self.polygons, "polygon", "polygons"), (self.lines, "line", "lines"), (self.points, "point", "points")];
+        let there = kinds.into_iter().filter(|kind| kind.0 > 0 || self.is_empty() && kind.1 == "polygon");
+        let words: Vec<String> = there.map(|(count, one, many)| counted(count, one, many)).collect();
+        f.write_str(&words.join(", "))
+    }
+}
+
+/// How many items an array has.
+fn items(value: Option<&RawValue>, file: &str, item: impl Fn(&mut Arrays<'_>) -> Result<(), Fault>) -> usize {
+    let mut count = 0;
+    let mut arrays = value.map(|value| Arrays::new(value, file));
+    let read = arrays.iter_mut().try_for_each(|arrays| {
+        arrays.each(
+            || shape("", ""),
+            |arrays, _| {
+                count += 1;
+                item(arrays)
+            },
+        )
+    });
+    // Of an array that goes wrong the items before that count.
+    drop(read);
+    count
+}
+
+/// The object that was asked for, or the one with the most polygons; if there is none, with the most lines, then points.
 fn choose<'o, 'a>(
     objects: &'o BTreeMap<String, Node<'a>>,
     file: &str,
     wanted: Option<&str>,
     notes: &mut Vec<String>,
 ) -> Result<(&'o str, &'o Node<'a>), Fault> {
-    let all: Vec<(&str, &Node<'_>, usize)> =
-        objects.iter().map(|(name, object)| (name.as_str(), object, polygon_count(object, file))).collect();
-    let list = || {
-        all.iter()
-            .map(|(name, _, n)| format!("{name} ({})", counted(*n, "polygon", "polygons")))
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
+    let all: Vec<(&str, &Node<'_>, Contents)> =
+        objects.iter().map(|(name, object)| (name.as_str(), object, Contents::of(object, file))).collect();
+    let list = || all.iter().map(|(name, _, holds)| format!("{name} ({holds})")).collect::<Vec<_>>().join(", ");
     if let Some(wanted) = wanted {
         let found = all.iter().find(|(name, ..)| *name == wanted);
         return found.map(|&(name, object, _)| (name, object)).ok_or_else(|| Fault {
@@ -131,32 +191,12 @@ fn choose<'o, 'a>(
         });
     }
     // Of equals the first one: `rev`, because max_by_key takes the last.
-    let best = all.iter().rev().max_by_key(|(_, _, n)| *n);
+    let best = all.iter().rev().max_by_key(|(_, _, holds)| *holds);
     let &(name, object, _) = best.ok_or_else(|| shape("the file", "at least one object"))?;
-    if all.iter().filter(|(_, _, n)| *n > 0).count() > 1 {
+    if all.iter().filter(|(_, _, holds)| !holds.is_empty()).count() > 1 {
         notes.push(format!("the file has the objects {}; {name} was read (choose with --object)", list()));
     }
     Ok((name, object))
-}
-
-fn polygon_count(node: &Node<'_>, file: &str) -> usize {
-    match node.kind().as_deref() {
-        Some("Polygon") => 1,
-        Some("MultiPolygon") => node.arcs.map_or(0, |arcs| {
-            let mut count = 0;
-            let nested = || shape("", "");
-            // What has the wrong shape counts as nothing here and is named when it is read.
-            let _ = Arrays::new(arcs, file).each(nested, |arrays, _| {
-                count += 1;
-                arrays.each(nested, |arrays, _| arrays.each(nested, |arrays, _| number(arrays, nested).map(drop)))
-            });
-            count
-        }),
-        Some("GeometryCollection") => {
-            node.geometries.as_ref().map_or(0, |all| all.iter().map(|part| polygon_count(part, file)).sum())
-        }
-        _ => 0,
-    }
 }
 
 fn number(arrays: &mut Arrays<'_>, wrong: impl FnOnce() -> ReadProblem) -> Result<i64, Fault> {
@@ -244,6 +284,7 @@ impl Reader<'_> {
                 let mut read =
                     |arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings| ring(arrays, &place, rings, arcs);
                 let mut arrays = Arrays::new(value, self.file);
+                geometry.count_left_out(&mut self.rings.left_out);
                 self.skipped.empty += polygons(&mut arrays, one, &path, name, &mut self.rings, &mut read)?;
                 Ok(())
             }

@@ -1,9 +1,9 @@
-//! Well-known text: points, lines and polygons, read as points and segments.
+//! Well-known text: polygons with holes, or points and segments.
 //!
 //! ```text
+//!   POLYGON ((0 0, 9 0, 9 9, 0 0), (2 1, 3 1, 3 2, 2 1))   the outer ring, then its holes
 //!   POINT (2 1)                                        a point by itself
 //!   LINESTRING (0 0, 4 0, 4 3)                         two segments
-//!   POLYGON ((0 0, 9 0, 9 9, 0 0), (2 1, 3 1, 3 2, 2 1))   the segments of its rings
 //!   MULTIPOINT ((0 0), (1 1))   MULTILINESTRING ((0 0, 1 1), (2 2, 3 3))   MULTIPOLYGON (((...)), ...)
 //!   GEOMETRYCOLLECTION (POINT (0 0), LINESTRING EMPTY)
 //! ```
@@ -12,15 +12,22 @@
 //! stepped over, as is `SRID=4326;`. `#` starts a comment. Words may be written in capitals or not. Z and M are
 //! dropped with a note.
 //!
+//! It is the same as in GeoJSON: each polygon becomes one face, and lines and points beside polygons are skipped with a
+//! note. A file without any polygon is read as segments and points; on request every file is, polygons by their outlines.
+//! Polygons are numbered through the whole file, from 0, and rings in their polygon: `polygon 3 ring 1`.
+//!
 //! Own reader on the kit's errors: crates for it name neither line nor column.
 //!
 //! Source: OGC 06-103r4, *Simple feature access*, part 1, section 7.
 
-use super::document::{Document, Read};
+use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
+use super::geometries::Skipped;
+use super::nodes::Fault;
 use super::problem::{ReadError, ReadProblem};
+use super::rings::{Repaired, Rings};
 use super::soup::SegmentSoup;
-use super::text::{check_text, line_and_column};
+use super::text::{check_text, line_and_column, lines_and_columns};
 use super::words::counted;
 use crate::plane::check_coordinate;
 
@@ -53,17 +60,31 @@ fn kind_of(word: &str) -> Option<Kind> {
     KINDS.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, kind)| kind)
 }
 
+/// The same, and how many letters for Z and M are written onto the word.
+fn kind_with_suffix(word: &str) -> Option<(Kind, usize)> {
+    let bare = word.trim_end_matches(['Z', 'z', 'M', 'm']);
+    let with_suffix = || Some((kind_of(bare)?, word.len() - bare.len()));
+    kind_of(word).map(|kind| (kind, 0)).or_else(with_suffix)
+}
+
 /// Whether the first word of a file begins a geometry.
 pub(super) fn starts_geometry(word: &str) -> bool {
     let name: String = word.chars().take_while(char::is_ascii_alphabetic).collect();
-    kind_of(&name).is_some() || word.to_ascii_uppercase().starts_with("SRID=")
+    kind_with_suffix(&name).is_some() || word.to_ascii_uppercase().starts_with("SRID=")
 }
 
-/// Reads a file. O(length).
-pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
+/// Reads a file. O(length), and O(n log n) to join n equal points of polygons.
+pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<Read, ReadError> {
     check_text(bytes, source)?;
-    let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-    let mut reader = Reader { bytes, source, at: start, line: 1, soup: SegmentSoup::new(source), dropped: 0, extra: 0 };
+    let mut reader = Reader::new(bytes, source);
+    if !options.outlines && reader.holds_polygons() {
+        let mut rings = Rings::of_file(bytes.len());
+        if options.close_rings {
+            rings.close_rings();
+        }
+        reader.rings = Some(rings);
+    }
+    (reader.at, reader.line, reader.closes) = (reader.start(), 1, options.close_rings);
     while let Some(token) = reader.peek()? {
         match token {
             Token::Sign(b';') => drop(reader.next()?),
@@ -79,11 +100,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
             _ => reader.geometry(0)?,
         }
     }
-    let mut notes = Vec::new();
-    if reader.dropped > 0 {
-        notes.push(format!("the third coordinate of {} was dropped", counted(reader.dropped, "point", "points")));
-    }
-    Ok(Read { document: Document::Segments(reader.soup.checked()?), notes, format: Format::Wkt })
+    reader.finish(options)
 }
 
 struct Reader<'a> {
@@ -91,7 +108,16 @@ struct Reader<'a> {
     source: &'a str,
     at: usize,
     line: u32,
+    /// Takes the points and segments; of a file with polygons the geometry at hand, for a moment.
     soup: SegmentSoup,
+    /// Takes the polygons, if the file is read as such.
+    rings: Option<Rings>,
+    /// How many polygons there are so far.
+    polygons: usize,
+    skipped: Skipped,
+    /// Of a file that is read as segments: whether rings are closed that do not end where they start, and which were.
+    closes: bool,
+    closed: Repaired,
     /// How many points had more than two coordinates.
     dropped: usize,
     /// How many coordinates beyond two the geometry at hand says it has; 0 if it does not say.
@@ -106,6 +132,58 @@ enum Token<'a> {
 }
 
 impl<'a> Reader<'a> {
+    fn new(bytes: &'a [u8], source: &'a str) -> Self {
+        let soup = SegmentSoup::new(source);
+        let (rings, polygons, skipped, closes, closed) = (None, 0, Skipped::default(), false, Repaired::default());
+        let (line, dropped, extra) = (1, 0, 0);
+        let reader =
+            Self { bytes, source, at: 0, line, soup, rings, polygons, skipped, closes, closed, dropped, extra };
+        Self { at: reader.start(), ..reader }
+    }
+
+    /// Where the text starts, behind a byte order mark.
+    fn start(&self) -> usize {
+        if self.bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }
+    }
+
+    /// Whether there is a polygon that is not empty. What is wrong before the first one is told when it is read.
+    fn holds_polygons(&mut self) -> bool {
+        let mut begun = false;
+        while let Ok(Some(token)) = self.next() {
+            begun = match token {
+                Token::Sign(b'(') if begun => return true,
+                // Between the kind and its bracket there may be a suffix.
+                Token::Word(word) if !word.eq_ignore_ascii_case("EMPTY") => {
+                    let kind = kind_with_suffix(word).map(|(kind, _)| kind);
+                    matches!(kind, Some(Kind::Polygon | Kind::Polygons)) || (begun && kind.is_none())
+                }
+                _ => false,
+            };
+        }
+        false
+    }
+
+    /// What was read, when all is.
+    fn finish(self, options: &ReadOptions) -> Result<Read, ReadError> {
+        let (bytes, source, format) = (self.bytes, self.source, Format::Wkt);
+        let mut notes = Vec::new();
+        self.skipped.note(&mut notes);
+        self.closed.note_closed(&mut notes);
+        if self.dropped > 0 {
+            notes.push(format!("the third coordinate of {} was dropped", counted(self.dropped, "point", "points")));
+        }
+        let Some(rings) = self.rings else {
+            let soup = SegmentSoup { mended_rings: self.closed.count(), ..self.soup };
+            return Ok(Read { document: Document::Segments(soup.checked()?), notes, format });
+        };
+        let soup = rings.finish(source, options, |offsets| lines_and_columns(bytes, offsets), &mut notes);
+        let soup = soup.map_err(|fault| named(fault, bytes, source))?;
+        if soup.faces.face_count() == 0 {
+            notes.push("the file holds no polygon".to_owned());
+        }
+        Ok(Read { document: Document::Polygons(soup), notes, format })
+    }
+
     fn skip_blanks(&mut self) {
         while let Some(&b) = self.bytes.get(self.at) {
             match b {
@@ -168,8 +246,7 @@ impl<'a> Reader<'a> {
     }
 
     fn error(&self, what: ReadProblem, help: &'static str) -> ReadError {
-        let (line, column) = line_and_column(self.bytes, self.at);
-        ReadError { line: Some(line), column: Some(column), ..ReadError::whole(self.source, what, help) }
+        ReadError::at(self.source, line_and_column(self.bytes, self.at), what, help)
     }
 
     /// The error that something else stands here.
@@ -218,12 +295,8 @@ impl<'a> Reader<'a> {
     fn geometry(&mut self, depth: usize) -> Result<(), ReadError> {
         let wanted = "POINT, LINESTRING, POLYGON, a MULTI of these or GEOMETRYCOLLECTION";
         let Some(Token::Word(word)) = self.peek()? else { return Err(self.expected(wanted)) };
-        // Z and M may be written onto the word.
-        let bare = word.trim_end_matches(['Z', 'z', 'M', 'm']);
-        let (kind, suffix) = match (kind_of(word), kind_of(bare)) {
-            (Some(kind), _) => (kind, 0),
-            (None, Some(kind)) => (kind, word.len() - bare.len()),
-            (None, None) => return Err(self.error(ReadProblem::UnknownWord { word: word.to_owned() }, wanted)),
+        let Some((kind, suffix)) = kind_with_suffix(word) else {
+            return Err(self.error(ReadProblem::UnknownWord { word: word.to_owned() }, wanted));
         };
         self.next()?;
         self.extra = suffix;
@@ -233,22 +306,28 @@ impl<'a> Reader<'a> {
             self.extra = word.len();
             self.next()?;
         }
+        let first = self.soup.points.len();
         match kind {
             Kind::Point => self.list(|reader| reader.point().map(drop)),
-            Kind::Line => self.line_string(false),
-            Kind::Polygon => self.list(|reader| reader.line_string(true)),
+            Kind::Line => self.line_string(),
+            Kind::Polygon => self.polygon(),
             Kind::Points => self.list(|reader| match reader.peek()? {
                 Some(Token::Sign(b'(') | Token::Word(_)) => reader.list(|reader| reader.point().map(drop)),
                 _ => reader.point().map(drop),
             }),
-            Kind::Lines => self.list(|reader| reader.line_string(false)),
-            Kind::Polygons => self.list(|reader| reader.list(|reader| reader.line_string(true))),
+            Kind::Lines => self.list(Self::line_string),
+            Kind::Polygons => self.list(Self::polygon),
             Kind::Collection if depth == DEEPEST => {
                 let what = "a collection in so many others".into();
                 Err(self.error(ReadProblem::Refused { what }, "write the geometries one after another"))
             }
             Kind::Collection => self.list(|reader| reader.geometry(depth + 1)),
+        }?;
+        if self.rings.is_some() && self.soup.points.len() > first {
+            self.skipped.add(if matches!(kind, Kind::Point | Kind::Points) { "Point" } else { "LineString" });
+            self.soup.clear();
         }
+        Ok(())
     }
 
     /// `EMPTY`, or items in brackets.
@@ -283,33 +362,66 @@ impl<'a> Reader<'a> {
         Ok(self.soup.point([x, y], line))
     }
 
-    /// A chain of points; that of a ring must end where it starts.
-    fn line_string(&mut self, ring: bool) -> Result<(), ReadError> {
+    /// A chain of points.
+    fn line_string(&mut self) -> Result<(), ReadError> {
+        let (first, _) = self.chain()?;
+        self.soup.begin_path("");
+        self.soup.chain(first as u32, false);
+        Ok(())
+    }
+
+    /// The points in brackets: the number of the first one, and where the brackets begin.
+    fn chain(&mut self) -> Result<(usize, usize), ReadError> {
         let first = self.soup.points.len();
         self.skip_blanks();
         let start = self.at;
         self.list(|reader| reader.point().map(drop))?;
-        let points = &self.soup.points[first..];
-        if points.len() == 1 {
+        if self.soup.points.len() == first + 1 {
             self.at = start;
             let problem = ReadProblem::Expected { wanted: "two points or more".into(), found: "one".to_owned() };
             return Err(self.error(problem, "points are separated by commas"));
         }
-        if let (true, Some(&a), Some(&b)) = (ring, points.first(), points.last()) {
-            if a != b {
-                self.at = start;
-                let problem = ReadProblem::UnclosedRing {
-                    place: "polygon".to_owned(),
-                    first: a.to_string(),
-                    last: b.to_string(),
-                };
-                return Err(self.error(problem, "repeat the first point of the ring at its end"));
-            }
-            // The last point is the first one.
-            self.soup.points.pop();
-            self.soup.point_lines.pop();
+        Ok((first, start))
+    }
+
+    fn polygon(&mut self) -> Result<(), ReadError> {
+        let polygon = self.polygons;
+        self.polygons += 1;
+        if let Some(rings) = &mut self.rings {
+            rings.begin_polygon(format_args!("polygon {polygon}"), None);
         }
-        self.soup.chain(first as u32, ring);
+        let mut ring = 0;
+        self.list(|reader| {
+            let place = format!("polygon {polygon} ring {ring}");
+            ring += 1;
+            reader.ring(&place)
+        })?;
+        let is_empty = self.rings.as_mut().is_some_and(Rings::end_polygon);
+        self.skipped.empty += usize::from(is_empty);
         Ok(())
     }
+
+    /// A chain of points that must end where it starts.
+    fn ring(&mut self, place: &str) -> Result<(), ReadError> {
+        let (first, start) = self.chain()?;
+        let at = |problem| named(Fault::at(start, problem), self.bytes, self.source);
+        if let Some(rings) = &mut self.rings {
+            for p in &self.soup.points[first..] {
+                rings.point([p.x, p.y], || place.to_owned()).map_err(at)?;
+            }
+            rings.end_ring(start, || place.to_owned()).map_err(at)?;
+            self.soup.clear();
+            return Ok(());
+        }
+        self.soup.end_ring(first, place, self.closes.then_some(&mut self.closed)).map_err(at)?;
+        self.soup.begin_path(place);
+        self.soup.chain(first as u32, true);
+        Ok(())
+    }
+}
+
+/// A fault with its line and column.
+fn named(fault: Fault, bytes: &[u8], source: &str) -> ReadError {
+    let place = line_and_column(bytes, fault.at.unwrap_or(0));
+    ReadError::at(source, place, fault.what, fault.help)
 }

@@ -63,7 +63,9 @@ pub enum WriteError {
         corners: usize,
     },
     /// A face that does not fall into triangles from its first corner, and a format that holds triangles only.
-    #[error("{face} is not convex, and {format} holds triangles only; try obj, off or ply, or cut the face first")]
+    #[error(
+        "{face} is not convex, and {format} holds triangles only; try obj, off or ply, or cut the face first with dcel solid split"
+    )]
     NoFan {
         /// The face.
         face: FaceId,

@@ -60,7 +60,9 @@ pub enum NotConvex {
         face: FaceId,
     },
     /// A face that is not convex.
-    #[error("{face} has a reflex corner at {vertex}, the origin of {half_edge}: split the face there")]
+    #[error(
+        "{face} has a reflex corner at {vertex}, the origin of {half_edge}: split the face there (dcel solid split), or take the convex hull of all vertices (dcel solid make hull)"
+    )]
     ReflexCorner {
         /// The face.
         face: FaceId,

@@ -126,3 +126,76 @@ fn rings_are_marked_as_holes() {
     let report = folder.dcel("build deep.segments --nested-holes --json").json();
     assert_eq!(report["hole_faces"].as_array().map(Vec::len), Some(30), "{report}");
 }
+
+/// What is counted are points of the input: those that fall together on the grid are as many as they were.
+#[test]
+fn all_points_that_a_grid_moves_are_counted() {
+    let folder = Folder::empty();
+    folder.write("roads.wkt", "LINESTRING (0 0, 8 6)\nLINESTRING (0 6, 8 0)\nLINESTRING (2 0, 2 6, 6 6)\n");
+    for (grid, moved) in [("8", 5), ("4", 5), ("64", 6)] {
+        let told = folder.dcel(&format!("build roads.wkt --mend --grid {grid}"));
+        let note = format!("{moved} points of the input moved");
+        assert!(told.code == Some(0) && told.err.contains(&note), "{told:?}");
+        let report = folder.dcel(&format!("build roads.wkt --mend --grid {grid} --json"));
+        assert_eq!(report.json()["displaced_points"], json!(moved), "{grid}");
+    }
+}
+
+/// Where nothing moved, nothing is further than 0.
+#[test]
+fn a_crossing_that_stays_in_place_is_at_distance_zero() {
+    let folder = Folder::empty();
+    folder.write("x.segments", "0 0 4 4\n0 4 4 0\n");
+    let report = folder.dcel("build x.segments --mend --json").json();
+    assert_eq!((&report["moved"], &report["farthest"]), (&json!([]), &json!(0.0)));
+}
+
+/// A comma may be meant as a decimal point, so it parts no numbers.
+#[test]
+fn commas_in_segments_are_told_as_such() {
+    let folder = Folder::empty();
+    for (text, place, word) in [
+        ("0,0,1,1\n", "1:1", "`0,0,1,1`"),
+        ("0, 0, 1, 1\n", "1:1", "`0,`"),
+        ("2\n0 0 1 1\n0 0 1;1\n", "3:5", "`1;1`"),
+        ("0 0 1 0,5\n", "1:7", "`0,5`"),
+    ] {
+        folder.write("cs.segments", text);
+        let what = format!("cs.segments:{place}: {word} is not a number");
+        folder.dcel("build cs.segments").fails(2, &what, "four numbers with blanks between");
+    }
+}
+
+/// Segments that are sides of polygons are told by feature, polygon and ring.
+#[test]
+fn sides_of_polygons_are_told_by_name() {
+    let folder = Folder::empty();
+    let feature = |name: &str, ring: &str| {
+        format!(
+            r#"{{"type":"Feature","properties":{{"name":"{name}"}},"geometry":{{"type":"Polygon","coordinates":[{ring}]}}}}"#
+        )
+    };
+    let all = [
+        feature("A", "[[0,0],[9,0],[9,9],[0,9],[0,0]],[[2,2],[4,2],[4,4],[2,2]]"),
+        feature("B", "[[3,1],[3.5,1],[3.5,3.25],[3,1]]"),
+    ];
+    folder.write("two.json", &format!(r#"{{"type":"FeatureCollection","features":[{}]}}"#, all.join(",\n")));
+    let told = folder.dcel("build two.json");
+    told.fails(2, r#"two.json:1: features[0] "A" polygon 0 ring 1: segments 4 and"#, "--mend");
+    assert!(told.err.contains(r#"segment 9: line 2: features[1] "B" polygon 0 ring 0"#), "{told:?}");
+    let file = folder.dcel("build two.json --json");
+    let error: serde_json::Value = serde_json::from_str(&file.out).expect("JSON");
+    assert_eq!(error["error"]["place"]["file"], json!("two.json"));
+    folder.write("two.wkt", "POLYGON((0 0,4 0,4 4,0 4,0 0))\nPOLYGON((2 2,6 2,6 6,2 6,2 2))\n");
+    let told = folder.dcel("build two.wkt");
+    told.fails(2, "two.wkt:1: polygon 0 ring 0: segments 2 and 7 cross at (2, 4)", "--mend");
+    assert!(told.err.contains("(segment 4 of polygon 1 ring 0)"), "{told:?}");
+    // Rings of TopoJSON are told in the same way.
+    folder.write(
+        "t.topojson",
+        r#"{"type":"Topology","arcs":[[[0,0],[4,0],[4,4],[0,0]],[[2,1],[6,1],[6,5],[2,1]]],"objects":{"states":{"type":"GeometryCollection","geometries":[{"type":"Polygon","arcs":[[0]]},{"type":"Polygon","id":"x","arcs":[[1]]}]}}}"#,
+    );
+    let told = folder.dcel("build t.topojson");
+    assert!(told.err.contains("states[0] polygon 0 ring 0: segments"), "{told:?}");
+    assert!(told.err.contains(r#"states[1] "x" polygon 0 ring 0"#), "{told:?}");
+}

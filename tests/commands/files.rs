@@ -340,3 +340,94 @@ fn too_little_memory_is_told_and_the_old_file_stays() {
     assert!(refused > 0, "never refused in order");
     folder.dcel("convert big.obj out.dcel").fine();
 }
+
+/// A table whose faces f1 and f2 lie over each other: all pointers are right, and the places are not.
+fn folded() -> String {
+    let mut text = crate::shell::TRIANGLE.replace("v2 2 3 out h4", "v2 2 -3 out h4");
+    text = text.replace("v3 2 1 out none\n", "").replace(" inner v3 name \"Ohio\"", " inner none");
+    text
+}
+
+/// Only dcel text may hold what is no subdivision of the plane.
+#[test]
+fn a_broken_structure_is_written_as_dcel_only() {
+    let folder = Folder::new();
+    folder.dcel("sample broken.dcel").fine();
+    folder.write("folded.dcel", &folded());
+    for file in ["broken.dcel", "folded.dcel"] {
+        assert_eq!(folder.dcel(&format!("validate {file}")).code, Some(1), "{file}");
+        for format in ["obj", "off", "ply", "ply-binary", "stl", "triangle", "geojson", "mesh", "tables"] {
+            let help = format!("all that is broken in it is named by: dcel validate {file}");
+            folder.dcel(&format!("convert {file} out.x --to {format}")).fails(2, &format!("{file}: "), &help);
+            assert!(!folder.path("out.x").exists() && !folder.path("out.node").exists(), "{file} {format}");
+        }
+        folder.dcel(&format!("convert {file} copy.dcel")).fine();
+        folder.dcel(&format!("figure {file} -o out.svg")).fine();
+    }
+    // A sound one keeps the ids of its file.
+    assert!(folder.dcel("convert triangle.dcel - --to tables").fine().contains("f1"));
+    folder.dcel("convert garden.json garden.dcel").fine();
+    assert!(folder.dcel("convert garden.dcel - --to geojson").fine().contains("Shed"));
+}
+
+/// Standard output holds one result.
+#[test]
+fn two_results_on_standard_output_are_refused() {
+    let folder = Folder::new();
+    folder.write("sites.xy", "0 0\n4 0\n0 4\n");
+    for call in [
+        "overlay garden.json square.obj --json -o -",
+        "voronoi sites.xy --json --figure -",
+        "delaunay sites.xy --json --figure -",
+        "triangulate square.obj --json --figure -",
+        "locate square.obj 1 1 --json -o -",
+        "solid make cube --json -o -",
+        "solid dual cube.off --json -o -",
+        "build garden.json --json --figure -",
+    ] {
+        let told = folder.dcel(call);
+        told.fails(2, "would both be written to standard output", "name a file after");
+        let answer: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
+        assert_eq!(answer["error"]["kind"], "usage", "{call}");
+    }
+    for call in ["build garden.json", "delaunay sites.xy", "voronoi sites.xy", "triangulate square.obj"] {
+        let told = folder.dcel(&format!("{call} -o - --figure -"));
+        told.fails(2, "-o - and --figure would both be written to standard output", "name a file after -o");
+        assert!(folder.dcel(&format!("{call} -o -")).fine().starts_with("dcel 1\n"));
+        assert!(folder.dcel(&format!("{call} --figure -")).fine().contains("<svg"));
+    }
+    folder.dcel("solid make cube --json -o cube2.off").json();
+}
+
+/// What a file says and a structure does not keep is told when another file is written, once for each kind.
+#[test]
+fn what_a_map_loses_is_told_once() {
+    let folder = Folder::new();
+    let ring = |x: u8| format!("[[[{x},0],[{},0],[{x},1],[{x},0]]]", x + 1);
+    let feature = |id: &str, properties: &str, x: u8| {
+        format!(
+            r#"{{"type":"Feature",{id}"properties":{properties},"geometry":{{"type":"MultiPolygon","coordinates":[{},{}]}}}}"#,
+            ring(x),
+            ring(x + 2)
+        )
+    };
+    let all = [
+        feature(r#""id":"x1","#, r#"{"name":"A","pop":5}"#, 0),
+        feature(r#""id":2,"#, r#"{"name":"B","pop":[6]}"#, 10),
+    ];
+    folder.write("pr.geojson", &format!(r#"{{"type":"FeatureCollection","features":[{}]}}"#, all.join(",")));
+    let notes = |told: crate::shell::Told| told.err.lines().map(str::to_owned).collect::<Vec<_>>();
+    let told = notes(folder.dcel("convert pr.geojson out.geojson"));
+    let ids = "note: 2 ids of features are lost: names are kept";
+    let properties = "note: properties of 2 features are lost: only names are kept";
+    let groups = "note: 2 multipolygons were taken apart: each of its polygons is a feature by itself";
+    assert_eq!(told, [ids, properties, groups].map(str::to_owned));
+    assert_eq!(notes(folder.dcel("convert pr.geojson out.dcel")), [ids, properties].map(str::to_owned));
+    // Whoever writes no file loses nothing; neither does a file that says no more than is kept.
+    assert_eq!(notes(folder.dcel("info pr.geojson")), Vec::<String>::new());
+    let plain = feature(r#""id":7,"#, "null", 0)
+        .replace("MultiPolygon", "Polygon")
+        .replace(&format!("[{},{}]", ring(0), ring(2)), &ring(0));
+    folder.write("plain.geojson", &plain);
+    assert_eq!(notes(folder.dcel("convert plain.geojson out.geojson")), Vec::<String>::new());
+}

@@ -26,3 +26,4 @@ mod solid;
 mod storeys;
 mod targets;
 mod triangulate;
+mod well_known_text;

@@ -171,3 +171,32 @@ fn whatever_takes_mend_says_that_there_was_nothing_to_mend() {
         assert_eq!(said, 1 + usize::from(call.starts_with("overlay")), "{call}: {told:?}");
     }
 }
+
+/// Holes that cut a polygon into pieces are told by ring and place, however they touch.
+#[test]
+fn holes_that_cut_a_polygon_into_pieces_are_told_by_place() {
+    let folder = Folder::new();
+    let shell = "[[0,0],[10,0],[10,10],[0,10],[0,0]]";
+    let polygon = |rings: &str| format!("{{\"type\":\"Polygon\",\"coordinates\":[{shell},\n{rings}]}}");
+    folder.write("two.geojson", &polygon("[[0,5],[5,2],[10,5],[5,8],[0,5]]"));
+    let told = folder.dcel("info two.geojson");
+    told.fails(2, "is cut into pieces by its holes: ring 0 and ring 1 touch at (", "--mend");
+    assert!(
+        told.err.contains("(0, 5)") && told.err.contains("(10, 5)") && told.err.contains("two.geojson:1:"),
+        "{told:?}"
+    );
+    assert!(told.err.contains("ring 1: line 2"), "{told:?}");
+    assert!(folder.dcel("info two.geojson --y-down").err.contains("(10, 5)"));
+    // Three holes in turn; a fourth one that touches once has no part in it.
+    folder.write(
+        "turn.geojson",
+        &polygon("[[4,0],[6,2],[2,2],[4,0]],\n[[2,2],[3,6],[1,6],[2,2]],\n[[3,6],[5,7],[0,8],[3,6]],\n[[9,3],[10,4],[9,5],[9,3]]"),
+    );
+    let told = folder.dcel("info turn.geojson");
+    told.fails(2, "ring 0, ring 1, ring 2 and ring 3 touch one after another at (", "--mend");
+    for place in ["(4, 0)", "(2, 2)", "(3, 6)", "(0, 8)"] {
+        assert!(told.err.contains(place), "{place}: {told:?}");
+    }
+    assert!(!told.err.contains("(10, 4)"), "{told:?}");
+    folder.dcel("info turn.geojson --mend").fine();
+}

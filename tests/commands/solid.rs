@@ -133,7 +133,7 @@ fn the_report_has_angles_volume_and_tables() {
     let rows: Vec<&str> = tables.lines().collect();
     assert_eq!(rows.len(), 3 + 3 + 2 + 8 + 6 + 24);
     assert!(tables.contains("Half-edge list\nid   o    w_i  w_o  v   f\nh0   h1   h6   h2   v3  f0\n"), "{tables}");
-    folder.write("plan.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n");
+    folder.write("plan.wkt", "LINESTRING (0 0, 1 0, 0 1, 0 0)\n");
     folder.dcel("solid info plan.wkt").fails(2, "holds a structure of the plane", "obj, off, ply and stl");
 }
 
@@ -267,4 +267,36 @@ fn sharp_edges_are_found_in_time_of_the_corners() {
     let folder = Folder::new();
     let [small, large] = [500, 2000].map(|corners| seconds_of_sharp_edges(&folder, corners));
     assert!(large < 8.0 * small.max(0.01), "{small} s, {large} s");
+}
+
+/// A prism over an L has two faces that are not convex: cut in two, they can be written as triangles.
+#[test]
+fn a_face_is_cut_along_a_diagonal_inside_it() {
+    let folder = Folder::empty();
+    let bottom = "0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n";
+    let top: String = bottom.lines().map(|line| line.trim_end_matches('0').to_owned() + "1\n").collect();
+    let faces =
+        "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n";
+    folder.write("l.off", &format!("OFF\n12 8 0\n{bottom}{top}{faces}"));
+    folder.dcel("convert l.off l.stl").fails(2, "f0 is not convex, and stl holds triangles only", "dcel solid split");
+    folder.dcel("solid support l.off 1,0,0").fails(2, "f0 has a reflex corner at v3", "dcel solid split");
+    // Outside the face, beside it, along its side.
+    folder.dcel("solid split l.off f0 v2 v4 -o m.off").fails(
+        2,
+        "the line from v2 to v4 does not lie inside f0",
+        "see each other",
+    );
+    folder.dcel("solid split l.off f0 v1 v5 -o m.off").fails(2, "does not lie inside f0", "see each other");
+    folder.dcel("solid split l.off f0 v0 v7 -o m.off").fails(2, "v7 is no corner of f0", "its corners are v");
+    folder.dcel("solid split l.off f9 v0 v3 -o m.off").fails(2, "there is no face f9", "the faces are f0 to f7");
+    assert_eq!(folder.dcel("solid split l.off f0 v0 v1 -o m.off").code, Some(2));
+    assert_eq!(folder.dcel("solid split l.off f0 v0 v0 -o m.off").code, Some(2));
+    folder.dcel("solid split l.off f0 v3 v0 -o m.off").fine();
+    let told = folder.dcel("solid split m.off f1 v9 v6 -o n.off --json").json();
+    assert_eq!((&told["faces"], &told["edges"]), (&json!(10), &json!(20)));
+    folder.dcel("convert n.off l.stl").fine();
+    assert_eq!(
+        folder.dcel("solid info n.off --json").json()["volume"],
+        folder.dcel("solid info l.off --json").json()["volume"]
+    );
 }

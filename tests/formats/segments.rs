@@ -47,10 +47,17 @@ fn every_geometry_of_well_known_text_is_read() {
     ] {
         assert_eq!(held(text, Format::Wkt), (line.0.clone(), line.1.clone(), vec![dropped.clone()]), "{text}");
     }
-    // A ring comes back to its first point, which is there once.
-    let ring = (vec![(0, 0), (4, 0), (0, 3)], vec![[0, 1], [1, 2], [2, 0]], vec![]);
-    assert_eq!(held("POLYGON ((0 0, 4 0, 0 3, 0 0))", Format::Wkt), ring);
-    assert_eq!(held("MULTIPOLYGON (((0 0, 4 0, 0 3, 0 0)))", Format::Wkt), ring);
+    // A ring comes back to its first point, which is there once: as a polygon, and on request as its outline.
+    let outlines = ReadOptions { outlines: true, ..ReadOptions::default() };
+    for text in ["POLYGON ((0 0, 4 0, 0 3, 0 0))", "MULTIPOLYGON (((0 0, 4 0, 0 3, 0 0)))"] {
+        let Document::Polygons(polygon) = read(text.as_bytes(), Format::Wkt).unwrap().document else {
+            panic!("{text}")
+        };
+        assert_eq!((polygon.points.len(), polygon.faces.cycle(0)), (3, &[0, 1, 2][..]), "{text}");
+        let outline = soup(read_bytes(text.as_bytes(), Format::Wkt, "file", &outlines).unwrap());
+        assert_eq!(outline.points, [(0., 0.), (4., 0.), (0., 3.)].map(Point::from), "{text}");
+        assert_eq!(outline.segments, [[0, 1], [1, 2], [2, 0]], "{text}");
+    }
     for text in ["POINT(1 2) POINT(3 4)", "MULTIPOINT (1 2, 3 4)", "MULTIPOINT ((1 2), EMPTY, (3 4))"] {
         assert_eq!(held(text, Format::Wkt), (vec![(1, 2), (3, 4)], vec![], vec![]), "{text}");
     }

@@ -192,6 +192,11 @@ impl Map {
             };
             return sure(two && have(0) && have(1), "cross", "other sides");
         }
+        if is("is cut into pieces") {
+            let touch = |&p: &P| self.0[names[0][0]].iter().filter(|ring| is_on(ring, p)).count() > 1;
+            // No places are told where rings cross.
+            return sure(points.len() != 1 && points.iter().all(touch), "in pieces", "its rings do not touch there");
+        }
         if is(" touch at ") {
             let [at, a, b] = [points[0], points[1], points[2]];
             let true_ =
@@ -226,9 +231,6 @@ impl Map {
                 "round",
                 "not there",
             );
-        }
-        if is("is cut into pieces") {
-            return Ok("in pieces");
         }
         if is("run along each other at") {
             let here = |&name: &[usize; 2]| is_on(self.ring(name), points[0]);

@@ -29,7 +29,8 @@ fn arrange(soup: &SegmentSoup, split: bool) -> Result<Arranged, SegmentsError> {
 }
 
 fn wkt(text: &str) -> SegmentSoup {
-    let read = read_bytes(text.as_bytes(), Format::Wkt, "text", &ReadOptions::default());
+    let outlines = ReadOptions { outlines: true, ..ReadOptions::default() };
+    let read = read_bytes(text.as_bytes(), Format::Wkt, "text", &outlines);
     match read.unwrap_or_else(|e| panic!("{e}")).document {
         Document::Segments(soup) => soup,
         _ => panic!("segments expected"),

@@ -7,6 +7,7 @@
 //!   info.rs       `dcel solid info`
 //!   make.rs       `dcel solid make`
 //!   schlegel.rs   `dcel solid schlegel`
+//!   split.rs      `dcel solid split`
 //!   subdivide.rs  `dcel solid subdivide`
 //!   support.rs    `dcel solid support`
 //! ```
@@ -17,6 +18,7 @@ mod figure;
 mod info;
 mod make;
 mod schlegel;
+mod split;
 mod subdivide;
 mod support;
 
@@ -45,6 +47,7 @@ commands! {
     Info info,
     Dual dual,
     Subdivide subdivide,
+    Split split,
     Support support,
     Figure figure,
     Schlegel schlegel,

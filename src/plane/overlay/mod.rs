@@ -52,6 +52,9 @@ pub struct Overlay {
     pub rounds: u32,
     /// The vertices of a and b that a grid moved, each with the greatest distance of those that it stands for.
     pub displaced: Vec<(VertexId, f64)>,
+    /// How many vertices of a and b a grid moved. Those at the same place count once; those that fell together on the grid
+    /// do not.
+    pub displaced_points: usize,
     /// The distance of neighbours of the grid, if points were rounded to one: a power of two.
     pub grid: Option<f64>,
     /// No point of an edge of a or b is further from what it has become.
@@ -132,7 +135,8 @@ impl Subdivision {
         let place = |point: Option<u32>| point.map(|i| arranged.vertices[i as usize]);
         let [vertices_of_a, vertices_of_b] =
             [places_of_a, places_of_b].map(|list| list.into_iter().map(place).collect::<Vec<_>>().into());
-        let Arranged { subdivision, crossings, moved, rounds, displaced, grid, farthest, .. } = arranged;
+        let Arranged { subdivision, crossings, moved, rounds, displaced, displaced_points, grid, farthest, .. } =
+            arranged;
         let (face_of_a, mut unsettled) = subdivision.carry_labels(self, &edges_of_a);
         let (face_of_b, more) = subdivision.carry_labels(other, &edges_of_b);
         unsettled.extend(more);
@@ -148,6 +152,7 @@ impl Subdivision {
             moved,
             rounds,
             displaced,
+            displaced_points,
             grid,
             farthest,
             unsettled,

@@ -51,7 +51,7 @@ impl Input {
         let number = &distinct.number;
         let mut faults = Vec::new();
         if !options.merge && !options.split && distinct.points.len() < points.len() {
-            faults = super::graph::same_places(points, number, options.most_faults + 1);
+            faults = super::graph::same_places(points, number, options.most_faults.saturating_add(1));
         }
         let ends = |i: usize| segments[i].map(|p| number[p as usize]);
         let has_length = |i: &usize| {
@@ -99,15 +99,16 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         graph.edges.clone_from(&pieces.edges);
         (split, (one_rings, swept)) = split_all(&mut graph, grid)?;
     }
-    refuse(&input, &half, &graph, &swept, options.most_faults.max(1))?;
+    refuse(&input, &half, &graph, &swept, options.most_faults.clamp(1, usize::MAX - 1))?;
 
     let chains = Chains::new(&input, &half, &pieces, &split);
     let mut vertices = if input.points_given { input.distinct.number } else { Vec::new() };
-    let mut displaced = Vec::new();
+    let (mut displaced, mut displaced_points) = (Vec::new(), 0);
     let mut grid = None;
     if let Some(snapped) = split.snapped {
         vertices.iter_mut().for_each(|v| *v = snapped.number[*v as usize]);
         given = snapped.given;
+        displaced_points = snapped.displaced.len();
         displaced = worst(snapped.displaced);
         grid = Some(snapped.grid.size());
     }
@@ -122,6 +123,7 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         crossings: (given as u32..subdivision.vertex_bound() as u32).map(VertexId::new).collect(),
         moved: worst(split.made),
         displaced,
+        displaced_points,
         grid,
         farthest: split.farthest,
         rounds: split.rounds,

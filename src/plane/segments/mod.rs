@@ -104,6 +104,9 @@ pub struct Arranged {
     /// The vertices of the input that a grid moved, each with the greatest distance of a point of the input that it
     /// stands for. Empty unless there is a [`grid`](Self::grid).
     pub displaced: Vec<(VertexId, f64)>,
+    /// How many points of the input a grid moved. Points at the same place count once; those that fell together on the
+    /// grid do not.
+    pub displaced_points: usize,
     /// The segments that have length, but on the grid none: both ends came to the same grid point.
     pub collapsed: Vec<u32>,
     /// The distance of neighbours of the grid, if points were rounded to one: a power of two.

@@ -56,7 +56,10 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (On
         let sum = |off: f64| if bent > 0.0 { (bent + off).next_up() } else { off };
         split.made.extend(numbers.iter().zip(&new).map(|(&number, &(_, off))| (number, sum(off))));
         // The edges of this round are no further from those of the input than the bends of all rounds together.
-        split.farthest = (split.farthest + new.iter().map(|&(_, off)| off).fold(0.0, f64::max)).next_up();
+        let off = new.iter().map(|&(_, off)| off).fold(0.0, f64::max);
+        if off > 0.0 {
+            split.farthest = (split.farthest + off).next_up();
+        }
         let place = |p: u32| if p < old { p } else { numbers[(p - old) as usize] };
         let (starts, pieces) = cut(graph, &cuts, place);
         let Single { edges, half } = Single::new(graph.points.len(), &pieces, |_, _| {});
