@@ -5,15 +5,36 @@
 //! ```
 
 use super::drawn::Critic;
-use super::graph::Graph;
+use super::graph::{Graph, Matched};
+use super::ink::Hidden;
 use super::report::{GROUP, Kind, Spot, counted, listed};
 use super::rings;
-use super::sketch::Outline;
+use super::sketch::{Outline, Sketch};
 use crate::plane::Point;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// With more differing edges than this, no edge excuses a face.
 const EXCUSES: usize = 100;
+
+/// How many faces and filled outlines have no partner, whichever way they run. None if the reference fills nothing.
+pub(super) fn strangers(expected: &Sketch, found: &Sketch, matched: &Matched) -> usize {
+    let free = |ring: Vec<u32>| rings::canonical(&ring).min(rings::reversed(&ring));
+    let mine: BTreeSet<Vec<u32>> = expected.outlines.iter().map(|outline| free(outline.ring.clone())).collect();
+    if mine.is_empty() {
+        return 0;
+    }
+    let welcome: BTreeSet<Vec<u32>> = expected.welcome.iter().map(|ring| free(ring.clone())).collect();
+    let count = expected.graph.points.len() as u32;
+    let theirs: BTreeSet<Vec<u32>> =
+        found.outlines.iter().map(|outline| free(translated(outline, matched, count))).collect();
+    let strange = theirs.difference(&mine).filter(|ring| !welcome.contains(*ring)).count();
+    mine.difference(&theirs).count() + strange
+}
+
+/// An outline by the points of the reference; further ones have greater numbers than those, of which there are `count`.
+fn translated(outline: &Outline, matched: &Matched, count: u32) -> Vec<u32> {
+    outline.ring.iter().map(|&m| matched.to_expected[m as usize].unwrap_or(count + m)).collect()
+}
 
 impl Critic<'_> {
     pub(super) fn faces(&mut self) {
@@ -34,20 +55,23 @@ impl Critic<'_> {
         for (i, outline) in expected.iter().enumerate() {
             faces.entry(rings::canonical(&outline.ring)).or_insert((i, 0));
         }
+        let count = self.expected().points.len() as u32;
         let excuses = Excuses::new(self);
+        // The reference says no more of how its faces run than it does itself: those of other programs run either way.
+        let is_free = |face: &Outline| rings::area(self.points(&face.ring, self.expected()).into_iter()) < 0.0;
         let mut reversed = Vec::new();
-        let mut strange = Vec::new();
+        let (mut strange, mut backwards) = (Vec::new(), Vec::new());
         let mut pale = Vec::new();
         for (number, outline) in self.found.outlines.iter().enumerate() {
-            let ring = rings::canonical(&self.translated(outline));
+            let ring = rings::canonical(&translated(outline, self.matched, count));
             let is_face = || faces.contains_key(&ring) || faces.contains_key(&rings::reversed(&ring));
             if self.hollow.contains(&number) && is_face() {
                 continue;
             }
             if let Some((i, count)) = faces.get_mut(&ring) {
                 *count += 1;
-                if self.pale.contains(&number) {
-                    pale.push(&expected[*i]);
+                if let Some(why) = self.pale.get(&number) {
+                    pale.push((*why, &expected[*i]));
                 }
             } else {
                 reversed.push((rings::reversed(&ring), ring, outline));
@@ -60,12 +84,12 @@ impl Critic<'_> {
             match faces.get_mut(&ring) {
                 Some((i, count)) if *count == 0 => {
                     *count += 1;
-                    strange.push((true, &expected[*i]));
+                    backwards.extend((!is_free(&expected[*i])).then_some(&expected[*i]));
                 }
                 _ if is_welcome => outer += 1,
                 Some(_) => {}
                 None if excuses.found(outline) => {}
-                None => strange.push((false, outline)),
+                None => strange.push(outline),
             }
         }
         let missing = faces.values().filter(|(_, count)| *count == 0).map(|(i, _)| &expected[*i]);
@@ -81,33 +105,24 @@ impl Critic<'_> {
         }
         let missing: Vec<&Outline> = missing.into_iter().filter(|outline| !excuses.expected(outline)).collect();
         self.tell(&missing, ["is not filled", "are not filled"]);
-        self.tell(
-            &pale,
-            ["cannot be told from the paper: fill it with another colour", "cannot be told from the paper"],
-        );
-        let (mut clockwise, mut counter) = (Vec::new(), Vec::new());
-        for (is_reversed, outline) in strange {
-            if is_reversed {
-                let points = self.points(&outline.ring, self.expected());
-                let ccw = rings::area(points.iter().copied()) > 0.0;
-                if ccw { clockwise.push(outline) } else { counter.push(outline) }
-            } else {
-                let points = self.points(&outline.ring, &self.found.graph);
-                let text =
-                    format!("filled polygon along {} is no face of the reference", target.writing().along(&points));
-                self.say(Kind::Face, text, Spot::ExtraFace(points));
-            }
+        let paper = ["cannot be told from the paper: fill it with another colour", "cannot be told from the paper"];
+        let clip = ["cannot be seen: its clip-path cuts it off", "cannot be seen, their clip-path cuts them off"];
+        let canvas =
+            ["cannot be seen: it lies outside of the viewBox", "cannot be seen, they lie outside of the viewBox"];
+        for (reason, said) in [(Hidden::Paper, paper), (Hidden::Clip, clip), (Hidden::Canvas, canvas)] {
+            let group: Vec<&Outline> = pale.iter().filter(|(why, _)| *why == reason).map(|(_, face)| *face).collect();
+            self.tell(&group, said);
         }
-        let backwards = [
+        for outline in strange {
+            let points = self.points(&outline.ring, &self.found.graph);
+            let text = format!("filled polygon along {} is no face of the reference", target.writing().along(&points));
+            self.say(Kind::Face, text, Spot::ExtraFace(points));
+        }
+        let clockwise = [
             "runs clockwise: list its corners counter-clockwise",
             "run clockwise (list their corners counter-clockwise)",
         ];
-        self.tell(&clockwise, backwards);
-        let backwards = [
-            "runs counter-clockwise: list its corners clockwise",
-            "run counter-clockwise (list their corners clockwise)",
-        ];
-        self.tell(&counter, backwards);
+        self.tell(&backwards, clockwise);
     }
 
     /// A sentence for each face, or one for many.
@@ -133,12 +148,6 @@ impl Critic<'_> {
     fn points(&self, ring: &[u32], graph: &Graph) -> Vec<Point> {
         ring.iter().map(|&v| graph.point(v)).collect()
     }
-
-    /// An outline by the points of the reference; further ones have greater numbers.
-    fn translated(&self, outline: &Outline) -> Vec<u32> {
-        let bound = self.expected().points.len() as u32;
-        outline.ring.iter().map(|&m| self.matched.to_expected[m as usize].unwrap_or(bound + m)).collect()
-    }
 }
 
 /// Faces that differ because an edge or a vertex beside them does, which is told already.
@@ -163,7 +172,7 @@ impl Excuses {
             missing: matched.missing.clone(),
             extra: matched.extra.clone(),
             chords: matched.extra.iter().filter_map(translated).collect(),
-            lost: matched.to_found.iter().map(Option::is_none).collect(),
+            lost: (0..).zip(&matched.to_found).map(|(v, m)| m.is_none() && critic.target.sketch.is_told(v)).collect(),
             strange: (0..).zip(&matched.to_expected).map(|(m, v)| v.is_none() && critic.found.is_told(m)).collect(),
             back: matched.to_expected.clone(),
         };

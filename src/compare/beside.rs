@@ -15,7 +15,7 @@ use crate::geometry::point::corners;
 use crate::plane::Point;
 
 /// An area is small up to this part of the whole, if it touches no vertex.
-const SMALL: f64 = 0.12;
+pub(super) const SMALL: f64 = 0.12;
 /// A thin rectangle: width by the size of the whole, length by width.
 const THIN: f64 = 0.02;
 const LONG: f64 = 4.0;
@@ -42,6 +42,8 @@ pub(super) struct Beside {
 pub(super) struct Trim {
     /// Lines of a frame.
     pub(super) border: Vec<bool>,
+    /// Lines of a frame that touches what it holds: they are left out if they go beyond that.
+    pub(super) tight: Vec<bool>,
     /// Whether things are left out that are called legend or axis.
     pub(super) aside: bool,
     /// The edges of the reference, of which legends have to lie clear.
@@ -50,20 +52,21 @@ pub(super) struct Trim {
 
 impl Trim {
     pub(super) fn nothing(drawing: &Drawing) -> Self {
-        Self { border: vec![false; drawing.lines.len()], aside: false, edges: Vec::new() }
+        let none = vec![false; drawing.lines.len()];
+        Self { border: none.clone(), tight: none, aside: false, edges: Vec::new() }
     }
 
     /// Whether anything would be left out.
     pub(super) fn is_any(&self, drawing: &Drawing) -> bool {
         let aside = drawing.lines.iter().any(|line| line.aside) || drawing.dots.iter().any(|dot| dot.aside);
         let aside = aside || drawing.outlines.iter().any(|outline| outline.legend > 0);
-        self.aside && aside || self.border.contains(&true)
+        self.aside && aside || self.border.contains(&true) || self.tight.contains(&true)
     }
 
     /// Everything that may be left out.
     pub(super) fn all(drawing: &Drawing, edges: Vec<[Point; 2]>) -> Self {
         let mut border = vec![false; drawing.lines.len()];
-        for frame in borders(drawing) {
+        for frame in borders(drawing, true) {
             let slack = ALONG * frame.size();
             let along = drawing.lines.iter().filter(|line| line.hidden.is_none() && frame.runs_along(line.ends, slack));
             if along.count() == 0 {
@@ -74,12 +77,20 @@ impl Trim {
                 *border |= frame.runs_along(line.ends, slack) || frame.is_outside(line.ends, slack);
             }
         }
-        Self { border, aside: true, edges }
+        let mut tight = vec![false; drawing.lines.len()];
+        for frame in borders(drawing, false) {
+            let slack = ALONG * frame.size();
+            for (line, tight) in drawing.lines.iter().zip(&mut tight) {
+                *tight |= frame.runs_along(line.ends, slack);
+            }
+        }
+        Self { border, tight, aside: true, edges }
     }
 }
 
-/// The canvas and the filled rectangles that hold all that is drawn, but what runs along their border.
-fn borders(drawing: &Drawing) -> Vec<Extent> {
+/// The canvas and the filled rectangles that hold all that is drawn, but what runs along their border. Unless `clear`,
+/// what they hold may touch them.
+fn borders(drawing: &Drawing, clear: bool) -> Vec<Extent> {
     let rectangle = |outline: &Outline| {
         let around = Extent::around(outline.points.clone());
         let slack = 1e-6 * around.size();
@@ -92,15 +103,16 @@ fn borders(drawing: &Drawing) -> Vec<Extent> {
     all.truncate(BORDERS);
     all.retain(|frame| {
         let slack = ALONG * frame.size();
+        let room = if clear { slack } else { -slack };
         let mut others = 0;
         let dots = drawing.dots.iter().filter(|dot| !dot.aside).all(|dot| {
             others += 1;
-            frame.holds(dot.at, slack)
+            frame.holds(dot.at, room)
         });
         let lines = drawing.lines.iter().filter(|line| !line.aside && line.hidden.is_none()).all(|line| {
             let along = frame.runs_along(line.ends, slack);
             others += usize::from(!along);
-            along || line.ends.iter().all(|&p| frame.holds(p, slack)) || frame.is_outside(line.ends, slack)
+            along || line.ends.iter().all(|&p| frame.holds(p, room)) || frame.is_outside(line.ends, slack)
         });
         dots && lines && others > 0
     });
@@ -130,7 +142,7 @@ impl Extent {
     }
 
     /// Whether a point lies inside, and so far from the border.
-    fn holds(&self, p: Point, slack: f64) -> bool {
+    pub(super) fn holds(&self, p: Point, slack: f64) -> bool {
         let (x, y) = ((p.x - self.low.x).min(self.high.x - p.x), (p.y - self.low.y).min(self.high.y - p.y));
         x.min(y) > slack
     }
@@ -188,6 +200,19 @@ impl Extent {
         from <= to
     }
 
+    /// Whether a line begins on the border or beyond it and goes away from it, as a tick.
+    pub(super) fn is_left_by(&self, ends: [Point; 2]) -> bool {
+        let slack = 1e-3 * self.size();
+        let leaves = |of: &dyn Fn(Point) -> f64| {
+            let far = ends.map(of);
+            far.iter().all(|far| *far >= -slack) && far.iter().any(|far| *far > slack)
+        };
+        leaves(&|p| self.low.x - p.x)
+            || leaves(&|p| p.x - self.high.x)
+            || leaves(&|p| self.low.y - p.y)
+            || leaves(&|p| p.y - self.high.y)
+    }
+
     /// Whether no point of a line or a dot lies within.
     pub(super) fn is_clear_of(&self, points: &[Point]) -> bool {
         let slack = 1e-3 * self.size();
@@ -207,6 +232,8 @@ pub(super) enum Area {
     Paper,
     /// A letter, an icon, the box of a label.
     Small,
+    /// One that lies clear of the structure.
+    Beside,
     /// A line, by its ends.
     Bar([Point; 2]),
     /// One with curved sides: no face, and no fault.
@@ -221,20 +248,28 @@ pub(super) fn kind(outline: &Outline, corners: &[Point], snap: &Snap, around: &E
     if !corners.iter().any(|&p| snap.is_known(p)) {
         let own = Extent::around(corners.to_vec());
         let (low, high) = (own.low, own.high);
-        if own.holds(around.low, 0.0) && own.holds(around.high, 0.0) && holds_all(corners, around) {
+        let slack = 1e-3 * size;
+        if own.holds(around.low, -slack) && own.holds(around.high, -slack) && holds_all(corners, around, slack) {
             return Area::Paper;
         }
-        if distance(low, high) <= SMALL * size || around.is_clear_of(corners) {
+        let is_clear = around.is_clear_of(corners);
+        if distance(low, high) <= SMALL * size || is_clear && (outline.aside || outline.curved) {
             return Area::Small;
+        }
+        if is_clear {
+            return Area::Beside;
         }
     }
     if outline.curved { Area::Curved } else { Area::Face }
 }
 
-/// Whether the corners of a box lie inside a polygon.
-fn holds_all(polygon: &[Point], inner: &Extent) -> bool {
+/// Whether the corners of a box lie inside a polygon, or so little outside.
+fn holds_all(polygon: &[Point], inner: &Extent, slack: f64) -> bool {
     let area = super::painting::Area::new(&[polygon.to_vec()], true);
-    inner.corners().iter().all(|&p| area.covers(p).0)
+    let (low, high) = (inner.low, inner.high);
+    let within =
+        Extent { low: Point::new(low.x + slack, low.y + slack), high: Point::new(high.x - slack, high.y - slack) };
+    within.corners().iter().all(|&p| area.covers(p).0)
 }
 
 /// The ends of the line that a thin rectangle stands for: the middles of its short sides, or as far within as a

@@ -4,9 +4,11 @@
 //!   stroke="red"      line{stroke:none}      style="STROKE: None ! important; /* thin */ stroke-width:1px"
 //! ```
 //!
-//! As attributes, names are as they are written; in rules and styles, small and capital letters are the same.
+//! As attributes, names are as they are written; in rules and styles, small and capital letters are the same. A value that
+//! browsers drop is as if it were not written.
 
 use super::geometry::is_geometry;
+use super::valid::{Written, is_valid};
 use crate::figure::canvas::blocks::{is_line_end, opened, parts};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::Node;
@@ -25,7 +27,10 @@ pub(super) fn declarations<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[T
         let name = attribute.name();
         // As attributes, these are read with their place.
         if name != "transform" && !is_geometry(name) && !BY_STYLE.contains(&name) {
-            out.push((Cow::Borrowed(name), plain(attribute.value())));
+            let value = plain(attribute.value());
+            if is_valid(name, &value, Written::Attribute) {
+                out.push((Cow::Borrowed(name), value));
+            }
         }
     }
     let sheet = rules.iter().filter(|rule| rule.fits(path)).flat_map(|rule| rule.properties.iter().copied());
@@ -47,7 +52,9 @@ pub(super) fn declarations<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[T
                     Cow::Borrowed(value) => plain(unmarked(value).unwrap_or(value)),
                     Cow::Owned(value) => plain(unmarked(value).unwrap_or(value)).into_owned().into(),
                 };
-                out.push((key.clone(), value));
+                if is_valid(key, &value, Written::Style) {
+                    out.push((key.clone(), value));
+                }
             }
         }
     }

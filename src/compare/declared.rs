@@ -47,6 +47,12 @@ pub(super) fn read(document: &Document<'_>) -> Result<Option<Table>, Fault> {
     Ok(Some(reader.table))
 }
 
+/// The name of the vertex, half-edge or face that an element declares.
+pub(super) fn name<'n>(node: Node<'n, '_>) -> Option<&'n str> {
+    let declares = is_half_edge(node) || OTHERS.iter().any(|&key| node.has_attribute(key));
+    node.attribute("id").map(last).filter(|name| declares && name.starts_with(['v', 'h', 'f']))
+}
+
 /// Whether an element declares a half-edge.
 pub(super) fn is_half_edge(node: Node<'_, '_>) -> bool {
     POINTERS.iter().any(|&key| node.has_attribute(key))

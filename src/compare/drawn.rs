@@ -6,6 +6,7 @@
 //! ```
 
 use super::Options;
+use super::areas;
 use super::beside::{Trim, thin};
 use super::drawing::Drawing;
 use super::error::{Fault, Problem};
@@ -20,7 +21,7 @@ use super::rings;
 use super::shape;
 use super::sketch::{Outline, Sketch};
 use crate::plane::Point;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The drawing on which the tolerance is stated, in px.
 const CANVAS: f64 = 600.0;
@@ -44,8 +45,9 @@ pub(super) struct Seen {
 struct Unseen {
     edges: Vec<([u32; 2], Hidden)>,
     dots: Vec<(u32, Hidden)>,
-    /// Outlines, by their numbers, that have the colour of the paper, and those in which their own path fills nothing.
-    pale: BTreeSet<usize>,
+    /// Outlines, by their numbers, that have the colour of the paper or are cut off, and those in which their own path
+    /// fills nothing.
+    pale: BTreeMap<usize, Hidden>,
     hollow: BTreeSet<usize>,
 }
 
@@ -123,7 +125,7 @@ impl<'a> Target<'a> {
             let ring: Option<Vec<u32>> = found.outlines[i].ring.iter().map(|&m| partner(m)).collect();
             Some(rings::canonical(&ring?))
         };
-        let is_unseen = |i: &usize| unseen.pale.contains(i) || unseen.hollow.contains(i);
+        let is_unseen = |i: &usize| unseen.pale.contains_key(i) || unseen.hollow.contains(i);
         out.faces.extend((0..found.outlines.len()).filter(is_unseen).filter_map(ring));
         // A face may be the hole of another one, and be filled itself.
         if !out.faces.is_empty() {
@@ -191,7 +193,8 @@ impl<'a> Target<'a> {
         let mut ways = vec![(&nothing, all.as_slice(), core.as_slice())];
         let (mut few, mut inner) = (Vec::new(), Vec::new());
         if trim.is_any(drawing) {
-            let lines = drawing.lines.iter().zip(&trim.border).filter(|(line, border)| !**border && !line.aside);
+            let frames = trim.border.iter().zip(&trim.tight).map(|(border, tight)| *border || *tight);
+            let lines = drawing.lines.iter().zip(frames).filter(|(line, frame)| !frame && !line.aside);
             few.extend(lines.flat_map(|(line, _)| line.ends));
             let dots = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.at);
             inner.extend(dots);
@@ -212,14 +215,25 @@ impl<'a> Target<'a> {
         let Some((mut out, trim)) = best else { return Err(Problem::Nothing.into()) };
         if out.matched.faults() > 1 && expected.points.len() <= TURNED {
             let (_, all, core) = ways[ways.len() - 1];
+            let upright = self.faults(&out);
+            let mut fewest = upright;
             for frame in search.others(all, core, &out.best) {
                 let (found, matched) = self.read(drawing, &frame, trim)?;
-                if 2 * matched.faults() < out.matched.faults() {
-                    out = Placing { best: Best { frame, matched: expected.points.len() }, found, matched };
+                let turned = Placing { best: Best { frame, matched: expected.points.len() }, found, matched };
+                // The turn is a fault itself, and has to explain more than half of the others.
+                let faults = 1 + self.faults(&turned);
+                if faults < fewest && 2 * faults < upright {
+                    (out, fewest) = (turned, faults);
                 }
             }
         }
         Ok(out)
+    }
+
+    /// How many points, edges and faces of a drawing differ where it is placed.
+    fn faults(&self, placing: &Placing) -> usize {
+        let (expected, found) = (&self.sketch, &placing.found);
+        placing.matched.faults() + areas::strangers(expected, found, &placing.matched)
     }
 
     fn read(&self, drawing: &Drawing, frame: &Frame, trim: &Trim) -> Result<(Sketch, Matched), Fault> {
@@ -236,7 +250,16 @@ impl<'a> Target<'a> {
         let tolerance = self.tolerance / frame.scale();
         let mut eye = Eye::new(&drawing.painting, &found.beside, graph.edges.len(), span(&canvas));
         let mut out = Unseen::default();
-        for &edge in &graph.edges {
+        // The end of a line that does not reach its vertex, or goes beyond it, below the circle there.
+        let is_stub = |edge: [u32; 2]| {
+            let [p, q] = edge.map(|m| canvas[m as usize]);
+            let ends_in = |m: u32, other: u32| {
+                let is_end = matched.to_expected[m as usize].is_none() && found.dots[m as usize].is_err();
+                is_end && super::pairing::distance(p, q) < found.radii[other as usize]
+            };
+            ends_in(edge[0], edge[1]) || ends_in(edge[1], edge[0])
+        };
+        for &edge in graph.edges.iter().filter(|&&edge| !is_stub(edge)) {
             let ends = edge.map(|m| canvas[m as usize]);
             let radii = edge.map(|m| found.radii[m as usize]);
             if let Err(why) = eye.edge(ends, radii, tolerance) {
@@ -244,7 +267,7 @@ impl<'a> Target<'a> {
             }
         }
         let mut nearest = vec![f64::INFINITY; graph.points.len()];
-        for &edge in &graph.edges {
+        for &edge in graph.edges.iter().filter(|&&edge| !is_stub(edge)) {
             let [p, q] = edge.map(|m| canvas[m as usize]);
             let length = super::pairing::distance(p, q);
             edge.iter().for_each(|&m| nearest[m as usize] = nearest[m as usize].min(length));
@@ -262,7 +285,8 @@ impl<'a> Target<'a> {
             let ring = outline.ring.iter().map(|&m| canvas[m as usize]).collect();
             match eye.face(outline.coat, ring) {
                 Filling::Seen => {}
-                Filling::Pale => drop(out.pale.insert(i)),
+                Filling::Pale => drop(out.pale.insert(i, Hidden::Paper)),
+                Filling::Cut(why) => drop(out.pale.insert(i, why)),
                 Filling::Hollow => drop(out.hollow.insert(i)),
             }
         }
@@ -290,11 +314,13 @@ impl<'a> Target<'a> {
         }
         let mut unseen = self.look(drawing, &best.frame, &found, &matched)?;
         self.excuse(&mut unseen, &found, &matched)?;
+        let strange = unseen.dots.iter().filter(|(m, _)| matched.to_expected[*m as usize].is_none()).count();
         if !unseen.edges.is_empty() || !unseen.dots.is_empty() {
             let keeps: Vec<bool> = matched.to_expected.iter().map(Option::is_some).collect();
             found.take_out(&unseen.edges, &unseen.dots, |m| keeps[m as usize]);
             matched = Matched::new(&expected.graph, &found.graph, self.tolerance);
         }
+        self.refuse_veils(&found, &matched)?;
         let mut critic = Critic {
             target: self,
             found: &found,
@@ -313,10 +339,35 @@ impl<'a> Target<'a> {
             critic.faces();
         }
         critic.side_notes();
+        if strange > 0 {
+            let circles = counted(strange, "circle that is no vertex", "circles that are no vertices");
+            critic.notes.push(format!("not read: {circles}"));
+        }
         let Critic { mut differences, notes, .. } = critic;
         differences.sort_by_key(|difference| difference.kind);
         let agreed = (matched.agreeing_edges(&expected.graph), all);
         Ok(Seen { differences, notes, agreed, sketch: found, fits: true })
+    }
+
+    /// Refuses what would be missing because of a mask or a filter: it may be seen.
+    fn refuse_veils(&self, found: &Sketch, matched: &Matched) -> Result<(), Fault> {
+        let expected = &self.sketch;
+        for &edge in &matched.missing {
+            let [a, b] = edge.map(|v| matched.to_found[v as usize]);
+            let hidden = a.zip(b).and_then(|(a, b)| found.hidden.get(&[a.min(b), a.max(b)]));
+            if hidden == Some(&Hidden::Veil) {
+                let what = format!("the edge between {}", self.writing.between(expected.graph.ends(edge)));
+                return Err(Problem::Veil { what }.into());
+            }
+        }
+        for (v, &at) in expected.graph.points.iter().enumerate().filter(|&(v, _)| expected.dots[v].is_ok()) {
+            let dot = matched.to_found[v].map(|m| found.dots[m as usize]);
+            if dot == Some(Err(Some(Hidden::Veil))) {
+                let what = format!("the vertex at {}", self.writing.point(at));
+                return Err(Problem::Veil { what }.into());
+            }
+        }
+        Ok(())
     }
 
     /// Takes out what the reference's own drawing hides, too.
@@ -336,9 +387,8 @@ impl<'a> Target<'a> {
             let ring: Option<Vec<u32>> = outline.ring.iter().map(|&m| partner(m)).collect();
             ring.is_some_and(|ring| excused.faces.contains(&rings::canonical(&ring)))
         };
-        for list in [&mut unseen.pale, &mut unseen.hollow] {
-            list.retain(|&i| !is_excused(&found.outlines[i]));
-        }
+        unseen.pale.retain(|&i, _| !is_excused(&found.outlines[i]));
+        unseen.hollow.retain(|&i| !is_excused(&found.outlines[i]));
         Ok(())
     }
 
@@ -361,8 +411,8 @@ pub(super) struct Critic<'a> {
     pub(super) target: &'a Target<'a>,
     pub(super) found: &'a Sketch,
     pub(super) matched: &'a Matched,
-    /// Coats of faces that have the colour of the paper.
-    pub(super) pale: &'a BTreeSet<usize>,
+    /// Outlines that cannot be seen: they have the colour of the paper, or are cut off.
+    pub(super) pale: &'a BTreeMap<usize, Hidden>,
     /// Outlines in which their own path fills nothing: they fill no face.
     pub(super) hollow: &'a BTreeSet<usize>,
     differences: Vec<Difference>,
@@ -395,6 +445,7 @@ impl Critic<'_> {
             writing: self.target.writing,
             tolerance: self.target.tolerance,
             extra_point: &extra_point,
+            is_told: &|v| self.target.sketch.is_told(v),
             hidden: &hidden,
         };
         let told = self.matched.differences(self.expected(), &found.graph, &telling);

@@ -190,6 +190,18 @@ pub enum Problem {
         /// Why.
         reason: String,
     },
+    /// Names were to be compared, and a file declares none.
+    #[error(
+        "names cannot be compared: this drawing declares none in data-* attributes (draw it with dcel figure, or leave \
+         --names out)"
+    )]
+    NoNames,
+    /// A line or a circle of the drawing behind a mask or a filter.
+    #[error("{what} has a mask, a filter or a blend mode, and what that hides is not worked out here: leave it out")]
+    Veil {
+        /// The edge or vertex, with its place.
+        what: String,
+    },
     /// The reference has nothing to compare with.
     #[error("nothing is drawn here: no line, circle or filled polygon was found")]
     Nothing,

@@ -12,13 +12,12 @@
 
 use super::beside::Beside;
 use super::ink::Hidden;
-use super::painting::{Area, Coat, Mark, Painting, Part, Shape};
+use super::painting::{Area, Clip, Coat, Mark, PALE, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
 
-/// Less contrast than this, in steps of 255, cannot be seen: of lines and circles, of areas.
+/// Less contrast than this, in steps of 255, cannot be seen of lines and circles.
 const FAINT: f64 = 8.0;
-const PALE: f64 = 4.0;
 /// Lines that cover less of what lies below them are called transparent.
 const PALEST: f64 = 0.2;
 /// Work of one comparison: coats and sides looked at.
@@ -28,6 +27,9 @@ const PROBES: [(usize, usize); 3] = [(2_000, 24), (10_000, 9), (usize::MAX, 3)];
 /// So much of an edge between its circles has to be seen, and so much of it as itself.
 const SEEN: f64 = 0.9;
 const ALONE: f64 = 0.2;
+/// The rim of a line shows beside a narrower one above if it is as wide as this part of the half line; so many are looked at.
+const RIM: f64 = 0.1;
+const RIMS: usize = 4;
 /// A gap that a label may make: at most so much of an edge, and so large a part of the drawing.
 const GAP: f64 = 0.45;
 const LABEL: f64 = 0.2;
@@ -69,6 +71,8 @@ pub(super) enum Filling {
     Pale,
     /// Its own path fills nothing in it.
     Hollow,
+    /// A clip path or the border of the canvas cuts it off.
+    Cut(Hidden),
 }
 
 /// Level, column and row in one number.
@@ -256,22 +260,30 @@ impl<'a> Eye<'a> {
             }
             let p = Point::new(a.x + far * along.x, a.y + far * along.y);
             let mut own = self.own(p, along, tolerance);
-            // On both sides of the middle, where an area may begin: the colours with and without lines.
-            let points = [0.3 * own.half, -0.3 * own.half];
-            let points = points.map(|off| Point::new(p.x - off * along.y, p.y + off * along.x));
-            let mut sides = points.map(|p| self.side(&own, p));
-            if sides.iter().any(|side| side.has_letters) {
-                own.letters = self.faded(points);
-                sides = points.map(|p| self.side(&own, p));
+            let (mut seen, mut alone) = (false, false);
+            // Of lines over each other, each that shows is looked at: a cased line, or the two rims of a double one.
+            for off in own.offsets() {
+                // On both sides of the middle, where an area may begin: the colours with and without lines.
+                let points = [off, -off].map(|off| Point::new(p.x - off * along.y, p.y + off * along.x));
+                let mut sides = points.map(|p| self.side(&own, p));
+                if sides.iter().any(|side| side.has_letters) {
+                    own.letters = self.faded(points);
+                    sides = points.map(|p| self.side(&own, p));
+                }
+                // A line has another colour than what lies on either side of it, and than the paper.
+                let blank = self.blank();
+                let differs = |all: [f64; 3]| {
+                    let on_both = sides.iter().all(|side| contrast(all, side.ground) >= FAINT);
+                    on_both && contrast(all, blank) >= FAINT
+                };
+                let both = (sides.iter().any(|side| differs(side.all)), sides.iter().any(|side| side.alone));
+                if both.0 >= seen {
+                    (seen, alone) = both;
+                }
+                if seen && alone {
+                    break;
+                }
             }
-            // A line has another colour than what lies on either side of it, and than the paper.
-            let blank = self.blank();
-            let differs = |all: [f64; 3]| {
-                let on_both = sides.iter().all(|side| contrast(all, side.ground) >= FAINT);
-                on_both && contrast(all, blank) >= FAINT
-            };
-            let seen = sides.iter().any(|side| differs(side.all));
-            let alone = sides.iter().any(|side| side.alone);
             marks.push((seen, alone));
             blotted |= !seen && self.is_blotted(&own);
             if !(seen && alone) {
@@ -310,7 +322,7 @@ impl<'a> Eye<'a> {
 
     /// The lines along this edge at a point.
     fn own(&mut self, p: Point, along: Point, tolerance: f64) -> Own {
-        let mut out = Own { coats: Vec::new(), letters: Vec::new(), half: 0.0 };
+        let mut out = Own { coats: Vec::new(), letters: Vec::new(), halves: Vec::new() };
         for &level in &self.levels {
             for &(_, i) in entries(&self.cells, self.corner, level, p) {
                 self.work += 1;
@@ -321,7 +333,7 @@ impl<'a> Eye<'a> {
                         let skew = (x * along.y - y * along.x).abs() / x.hypot(y);
                         if skew <= 0.05 && super::pairing::lies_on(p, [*c, *d], 2.0 * tolerance) {
                             out.coats.push(i);
-                            out.half = out.half.max(*half);
+                            out.halves.push(*half);
                         }
                     }
                     _ if self.bars.binary_search(&i).is_ok() && coat.covers(p).0 => out.coats.push(i),
@@ -331,6 +343,7 @@ impl<'a> Eye<'a> {
         }
         out.coats.sort_unstable();
         out.coats.dedup();
+        out.halves.sort_unstable_by(f64::total_cmp);
         out
     }
 
@@ -383,14 +396,17 @@ impl<'a> Eye<'a> {
         let (mut seen, mut looked, mut top, mut below) = (0, 0, None, false);
         // Where its colour is not that of the paper: points at which lines have it, too, and areas.
         let (mut swallowed, mut grounded, mut blank) = (0, 0, 0);
+        let round = |part: f64, i: usize| {
+            let (s, c) = (std::f64::consts::TAU * (i as f64 + 0.3) / ROUND as f64).sin_cos();
+            Point::new(centre.x + part * radius * c, centre.y + part * radius * s)
+        };
         // Well inside, and where a rim is: however thin, one of the last two lies on it.
         for part in [0.45, 0.8, 0.93, 0.985] {
             for i in 0..ROUND {
                 if self.is_tired() {
                     return Ok(());
                 }
-                let (s, c) = (std::f64::consts::TAU * (i as f64 + 0.3) / ROUND as f64).sin_cos();
-                self.look(Point::new(centre.x + part * radius * c, centre.y + part * radius * s));
+                self.look(round(part, i));
                 let is_own = |coat: &Coat| match &coat.shape {
                     Shape::Disc(disc) => coat.part == Part::Dot && distance(disc.centre, centre) <= tolerance,
                     _ => false,
@@ -412,17 +428,46 @@ impl<'a> Eye<'a> {
                 }
             }
         }
-        if seen as f64 >= DOT * looked as f64 {
+        let enough = |all: usize| seen as f64 >= DOT * all as f64;
+        if enough(looked) {
+            return Ok(());
+        }
+        // Of a circle that is cut off in part, as at the border of a page, what is left counts, if it is enough.
+        let own: Vec<&Coat> = self.circles(centre, tolerance).collect();
+        self.work += 2 * ROUND * own.len();
+        let shown = |p: Point| own.iter().any(|coat| self.painting.cut_off(coat, p).is_none());
+        let left = [0.45, 0.8].iter().map(|&part| (0..ROUND).filter(|&i| shown(round(part, i))).count()).sum::<usize>();
+        if left as f64 >= DOT * looked as f64 && enough(left) {
             return Ok(());
         }
         Err(match top.map(|i| (self.is_line(i), self.painting.coats[i as usize].part)) {
             Some((true, _)) => Hidden::Line,
             Some((_, part)) => hiding(part),
-            None if !below => Hidden::Clip,
+            None if !below => self.lost(centre, tolerance),
             None if swallowed > blank.max(grounded) => Hidden::Swallowed,
             None if grounded > blank => Hidden::Ground,
             None => Hidden::Paper,
         })
+    }
+
+    /// The circles at a vertex.
+    fn circles(&self, centre: Point, tolerance: f64) -> impl Iterator<Item = &'a Coat> + '_ {
+        let found = self.levels.iter().flat_map(move |&level| entries(&self.cells, self.corner, level, centre));
+        let painting = self.painting;
+        let coats = found.map(move |&(_, i)| &painting.coats[i as usize]);
+        coats.filter(move |coat| matches!(&coat.shape, Shape::Disc(disc) if distance(disc.centre, centre) <= tolerance))
+    }
+
+    /// Why nothing lies where a circle at a vertex should be seen: it is cut off, or only its rim is drawn.
+    fn lost(&self, centre: Point, tolerance: f64) -> Hidden {
+        let mut out = Hidden::Rim;
+        for clip in self.circles(centre, tolerance).filter_map(|coat| self.painting.cut_off(coat, centre)) {
+            match clip.canvas {
+                true => return Hidden::Canvas,
+                false => out = Hidden::Clip,
+            }
+        }
+        out
     }
 
     /// Whether something is seen of the lines among these coats; `without` is the answer if there are none.
@@ -450,6 +495,33 @@ impl<'a> Eye<'a> {
         2 * seen >= POINTS
     }
 
+    /// Whether a coat changes the colour at one of these points.
+    pub(super) fn shows(&mut self, i: u32, points: &[Point]) -> bool {
+        points.iter().any(|&p| {
+            if !self.is_tired() {
+                self.look(p);
+            }
+            self.is_tired() || contrast(self.colour(|_, _| true), self.colour(|j, _| j != i)) >= FAINT
+        })
+    }
+
+    /// Whether letters can be read in the middle of their box: they have another colour than what lies below them, and
+    /// no area covers the box.
+    pub(super) fn is_read(&mut self, i: u32) -> bool {
+        let coat = &self.painting.coats[i as usize];
+        let [low, high] = coat.corners();
+        self.look(Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)));
+        let below = self.colour(|j, _| j < i);
+        let over = [0, 1, 2].map(|c| below[c] + coat.alpha * (coat.colour[c] - below[c]));
+        let covers = |&j: &u32| {
+            let above = &self.painting.coats[j as usize];
+            let is_opaque = j > i && above.alpha > 0.5 && !matches!(above.shape, Shape::Stroke(..));
+            is_opaque && above.covers(low).0 && above.covers(high).0
+        };
+        let is_there = self.letters.contains(&i) || self.stack.contains(&i);
+        self.is_tired() || is_there && contrast(over, below) >= FAINT && !self.stack.iter().any(covers)
+    }
+
     /// The circle of another vertex that covers a point, if there is one.
     pub(super) fn disc_over(&mut self, p: Point, tolerance: f64) -> Option<Point> {
         self.look(p);
@@ -471,6 +543,12 @@ impl<'a> Eye<'a> {
         if points.is_empty() {
             return Filling::Hollow;
         }
+        let coat = &painting.coats[coat as usize];
+        let cut: Vec<&Clip> = points.iter().filter_map(|&p| painting.cut_off(coat, p)).collect();
+        if 2 * cut.len() > points.len() {
+            let by_canvas = cut.iter().any(|clip| clip.canvas);
+            return Filling::Cut(if by_canvas { Hidden::Canvas } else { Hidden::Clip });
+        }
         let mut seen = 0;
         for &p in &points {
             if self.is_tired() {
@@ -484,11 +562,28 @@ impl<'a> Eye<'a> {
     }
 }
 
-/// The lines along an edge, sorted, and half the width of the widest; the letters at a point of it that nobody can read.
+/// The lines along an edge, sorted, and half their widths, sorted; the letters at a point of it that nobody can read.
 struct Own {
     coats: Vec<u32>,
     letters: Vec<u32>,
-    half: f64,
+    halves: Vec<f64>,
+}
+
+impl Own {
+    /// How far from the middle each of the lines shows if it lies below all narrower ones: the narrowest near the middle,
+    /// each wider one half way out to its own rim, if it is clearly wider.
+    fn offsets(&self) -> Vec<f64> {
+        let narrowest = self.halves.first().copied().unwrap_or(0.0);
+        let mut out = vec![0.3 * narrowest];
+        let mut within = narrowest;
+        for &half in &self.halves {
+            if half - within > RIM * half && out.len() < RIMS {
+                out.push(0.5 * (within + half));
+                within = half;
+            }
+        }
+        out
+    }
 }
 
 /// What is seen at a point: the colour, that without lines, and whether it is another one without those of the edge.

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The map that brings most points to their places wins. Only if none of them brings enough, mirrored, turned and
-//! stretched ones are tried: not to forgive them, but to say so.
+//! stretched ones are tried: not to forgive them, but to say so. Those of the smallest angle come first.
 
 use super::pairing::{Places, distance};
 use crate::figure::canvas::number::model;
@@ -20,6 +20,9 @@ const PAIRS: usize = 150;
 const TRIALS: usize = 400;
 /// A turned drawing must fit as well as this to be called one.
 const CLEAR: f64 = 0.8;
+/// So many maps at any angle are offered; those of nearly the same angle are one, in degrees.
+const ANGLES: usize = 8;
+const NEARLY: f64 = 0.5;
 
 /// How a drawing lies.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -61,6 +64,14 @@ impl Turn {
     fn apply(self, p: Point) -> Point {
         let [a, b, c, d] = self.matrix();
         Point::new(a * p.x + b * p.y, c * p.x + d * p.y)
+    }
+
+    /// How far it is turned, in degrees; more than any angle if it is mirrored as well.
+    fn angle(self) -> f64 {
+        match self {
+            Self::Angle(degrees) => degrees.abs(),
+            _ => 360.0,
+        }
     }
 
     /// What is wrong with a drawing that has to be turned like this.
@@ -116,6 +127,12 @@ impl Frame {
         let (x, y) = (p.x - self.shift[0], p.y - self.shift[1]);
         let determinant = a * d - b * c;
         Point::new((d * x - b * y) / determinant, (a * y - c * x) / determinant)
+    }
+
+    /// Whether two maps turn and scale nearly alike.
+    fn is_nearly(&self, other: &Self) -> bool {
+        let near = 1e-2 * self.scale();
+        self.matrix.iter().zip(other.matrix).all(|(a, b)| (a - b).abs() <= near)
     }
 
     /// Turn, then scale, then shift.
@@ -212,8 +229,9 @@ impl<'a> Search<'a> {
         });
         let mut found: Vec<Frame> = found.collect();
         if found.is_empty() {
-            let skewed = [self.stretched(drawn, core), self.angled(drawn, core)];
-            found.extend(skewed.into_iter().filter(|other| other.matched >= enough).map(|other| other.frame));
+            let stretched = self.stretched(drawn, core);
+            found.extend((stretched.matched >= enough).then_some(stretched.frame));
+            found.extend(self.angled(drawn, core, enough));
         }
         found
     }
@@ -227,23 +245,32 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Two points far apart onto all pairs, at any angle.
-    fn angled(&self, drawn: &[Point], core: &[Point]) -> Best {
-        let mut best = Best { frame: Frame::IDENTITY, matched: 0 };
+    /// Two points far apart onto all pairs, at any angle: the maps that bring most, and at least `enough`, the smallest
+    /// angles first, mirrored ones last.
+    fn angled(&self, drawn: &[Point], core: &[Point], enough: usize) -> Vec<Frame> {
+        let mut found: Vec<Best> = Vec::new();
         if self.expected.len().max(core.len()) > PAIRS {
-            return best;
+            return Vec::new();
         }
         for pair in far_pairs(core).into_iter().take(2) {
             for (u, v) in self.expected.iter().flat_map(|&u| self.expected.iter().map(move |&v| (u, v))) {
                 for mirrored in [false, true] {
                     let Some(map) = Frame::similar(pair, [u, v], mirrored) else { continue };
                     if self.is_promising(&map, core) {
-                        self.offer(map, drawn, &mut best);
+                        let matched = self.count(&map, drawn);
+                        if matched >= enough && found.iter().all(|other| other.matched <= matched) {
+                            found.retain(|other| other.matched == matched);
+                            found.push(Best { frame: map, matched });
+                        }
                     }
                 }
             }
         }
-        best
+        let mut out: Vec<Frame> = found.into_iter().map(|best| best.frame).collect();
+        out.sort_by(|a, b| a.turn.angle().total_cmp(&b.turn.angle()));
+        out.dedup_by(|a, b| (a.turn.angle() - b.turn.angle()).abs() < NEARLY && a.is_nearly(b));
+        out.truncate(ANGLES);
+        out
     }
 
     /// Nine of ten wrong maps fail at once.
@@ -256,16 +283,21 @@ impl<'a> Search<'a> {
         if best.matched == self.expected.len() {
             return;
         }
+        let matched = self.count(&frame, drawn);
+        if matched > best.matched {
+            *best = Best { frame, matched };
+        }
+    }
+
+    /// How many of the expected points a map brings something to.
+    fn count(&self, frame: &Frame, drawn: &[Point]) -> usize {
         let mut hit = vec![false; self.expected.len()];
         for &p in drawn {
             if let Some(v) = self.places.near(frame.apply(p), self.tolerance) {
                 hit[v as usize] = true;
             }
         }
-        let matched = hit.iter().filter(|&&hit| hit).count();
-        if matched > best.matched {
-            *best = Best { frame, matched };
-        }
+        hit.iter().filter(|&&hit| hit).count()
     }
 
     fn turned(&self, turn: Turn, drawn: &[Point], core: &[Point], best: &mut Best) {

@@ -69,6 +69,8 @@ pub(super) struct Telling<'a> {
     /// The sentence about a found point, at this place, that the reference does not have; `None` for the corner of an
     /// area, which is told with the area.
     pub(super) extra_point: &'a dyn Fn(u32, &str) -> Option<String>,
+    /// Whether an expected point is told if it is missing; the corner of an area is told with the area.
+    pub(super) is_told: &'a dyn Fn(u32) -> bool,
     /// Why a missing edge cannot be seen, if it is drawn.
     pub(super) hidden: &'a dyn Fn([u32; 2]) -> Option<Hidden>,
 }
@@ -237,7 +239,7 @@ impl Tale<'_> {
         for v in 0..self.expected.points.len() as u32 {
             let at = self.expected.point(v);
             match matched.to_found[v as usize] {
-                None if !joined.contains(&v) => {
+                None if !joined.contains(&v) && (self.telling.is_told)(v) => {
                     let text = format!("{} is missing", self.vertex(v));
                     self.say(Kind::Vertex, text, Spot::MissingVertex(at));
                 }

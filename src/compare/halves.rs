@@ -1,51 +1,177 @@
-//! Half-edges that a figure of the kit declares and draws beside its edges: what is declared has to be seen.
+//! Half-edges that a figure of the kit declares and draws beside its edges: what is declared has to be seen, and where it
+//! is declared.
 //!
 //! ```text
-//!   ──▸──  h4     its line, with another colour than what lies below it, at some points along it at least
-//!   ──◂──  h5
+//!   v0 ●───────────────● v1        its line on the left of its edge, between its two vertices;
+//!         ──────────▸              its barb at the end to which it runs, pointing there
 //! ```
 //!
-//! What the reference's own drawing hides nobody has to show: the same half-edge, by its place, whatever its number.
+//! What the reference's own drawing does not show nobody has to show: the same half-edge, by its place, whatever its
+//! number.
 
 use super::beside::Beside;
 use super::drawing::Drawing;
 use super::eye::Eye;
 use super::links::Links;
-use super::pairing::span;
+use super::painting::{Area, Part, Shape};
+use super::pairing::{distance, span};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
-use crate::ids::HalfEdgeId;
+use crate::figure::structure::skeleton::destination;
+use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
-use std::collections::BTreeSet;
+use crate::topology::{Table, View};
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The names of half-edges that nobody sees.
-fn unseen(drawing: &Drawing) -> Vec<String> {
+/// How far a line may lie from its edge, and its ends from each other across the edge, as parts of the edge.
+const ASIDE: f64 = 0.25;
+const SLANT: f64 = 0.05;
+/// How far it may reach beyond the edge, as a part of it.
+const BEYOND: f64 = 0.02;
+/// A barb begins beyond this part of its edge.
+const HEAD: f64 = 0.45;
+
+/// What is wrong with a half-edge as it is drawn.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Wrong {
+    Hidden,
+    Missing,
+    Elsewhere,
+    NoBarb,
+    Backwards,
+}
+
+impl Wrong {
+    const ALL: [Self; 5] = [Self::Hidden, Self::Missing, Self::Elsewhere, Self::NoBarb, Self::Backwards];
+
+    /// What is said of one half-edge, and of several.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Hidden => ["half-edge is declared and cannot be seen", "half-edges are declared and cannot be seen"],
+            Self::Missing => ["half-edge is declared and not drawn", "half-edges are declared and not drawn"],
+            Self::Elsewhere => [
+                "half-edge is not drawn on the left of its edge, from vertex to vertex",
+                "half-edges are not drawn on the left of their edges, from vertex to vertex",
+            ],
+            Self::NoBarb => ["half-edge has no barb that can be seen", "half-edges have no barbs that can be seen"],
+            Self::Backwards => [
+                "half-edge has a barb that does not point to the end of it",
+                "half-edges have barbs that do not point to the ends of them",
+            ],
+        }
+    }
+}
+
+/// An edge on the canvas, along one of its half-edges.
+struct Along {
+    from: Point,
+    direction: [f64; 2],
+    length: f64,
+}
+
+impl Along {
+    fn new(from: Point, to: Point) -> Option<Self> {
+        let length = distance(from, to);
+        let direction = [(to.x - from.x) / length, (to.y - from.y) / length];
+        (length > 0.0).then_some(Self { from, direction, length })
+    }
+
+    /// Where a point lies along the edge and to the left of it, as parts of the edge.
+    fn place(&self, p: Point) -> [f64; 2] {
+        let (x, y, [u, v]) = (p.x - self.from.x, p.y - self.from.y, self.direction);
+        [(x * u + y * v) / self.length, (y * u - x * v) / self.length]
+    }
+
+    /// Whether a line runs beside the middle of the edge, on the left, and no further than its ends.
+    fn has_beside(&self, ends: [Point; 2]) -> bool {
+        let [[t, a], [s, b]] = ends.map(|p| self.place(p));
+        let (first, last) = (t.min(s), t.max(s));
+        let lies_along = (-BEYOND..0.5).contains(&first) && (0.5..=1.0 + BEYOND).contains(&last);
+        lies_along && a.min(b) > 0.0 && a.max(b) <= ASIDE && (a - b).abs() <= SLANT
+    }
+
+    /// Whether the foremost corner of a barb is its tip, and the corner farthest to the left lies behind that.
+    fn has_barb(&self, corners: &[Point]) -> bool {
+        let places: Vec<[f64; 2]> = corners.iter().map(|&p| self.place(p)).collect();
+        let most = |i: usize| places.iter().max_by(|p, q| p[i].total_cmp(&q[i]));
+        let (Some(tip), Some(outer)) = (most(0), most(1)) else { return false };
+        let is_ahead = places.iter().all(|place| place[0] >= HEAD) && tip[0] <= 1.0 + BEYOND;
+        is_ahead && outer[0] < tip[0] && outer[1] > 0.0 && outer[1] <= 2.0 * ASIDE + 2.0 / self.length
+    }
+}
+
+/// The half-edges of a drawing that are not seen as they are declared.
+fn wrong(drawing: &Drawing, table: &Table) -> Vec<(HalfEdgeId, Wrong)> {
     if drawing.halves.is_empty() {
         return Vec::new();
     }
     let span = span(&drawing.points().collect::<Vec<Point>>());
     let mut eye = Eye::new(&drawing.painting, &Beside::default(), drawing.lines.len(), span);
-    let hidden = drawing.halves.iter().filter(|half| !eye.any_line(half.coats.clone(), !half.lacks));
-    hidden.map(|half| half.name.clone()).collect()
+    let places: BTreeMap<&str, Point> =
+        drawing.dots.iter().filter_map(|dot| Some((dot.vertex.as_ref()?.0.as_str(), dot.at))).collect();
+    let mut out = Vec::new();
+    for half in &drawing.halves {
+        let Ok(h) = half.name.parse::<HalfEdgeId>() else { continue };
+        let place = |v: Option<VertexId>| places.get(v?.to_string().as_str()).copied();
+        let along = place(table.origin(h)).zip(place(destination(table, h))).and_then(|(p, q)| Along::new(p, q));
+        let coats = half.coats.clone().map(|i| (i, &drawing.painting.coats[i as usize]));
+        let lines: Vec<[Point; 2]> = coats
+            .clone()
+            .filter_map(|(_, coat)| if let Shape::Stroke(ends, _) = coat.shape { Some(ends) } else { None })
+            .collect();
+        let barbs: Vec<(u32, &Area)> = coats
+            .filter(|(_, coat)| !matches!(coat.part, Part::Mark(_)))
+            .filter_map(|(i, coat)| if let Shape::Area(area) = &coat.shape { Some((i, area)) } else { None })
+            .collect();
+        if !eye.any_line(half.coats.clone(), !half.lacks) {
+            out.push((h, Wrong::Hidden));
+            continue;
+        }
+        // Where its ends are not drawn, or at one place, nothing says where it should be.
+        let Some(along) = along else { continue };
+        if lines.is_empty() {
+            out.push((h, Wrong::Missing));
+        } else if !lines.iter().any(|&ends| along.has_beside(ends)) {
+            out.push((h, Wrong::Elsewhere));
+        } else if !barbs.iter().any(|&(i, area)| eye.shows(i, &corners(area))) {
+            out.push((h, Wrong::NoBarb));
+        } else if !barbs.iter().any(|(_, area)| along.has_barb(&area.points().collect::<Vec<_>>())) {
+            out.push((h, Wrong::Backwards));
+        }
+    }
+    out
 }
 
-/// What a file declares and hides, unless the reference hides the same. `placed` are the two declared structures.
-pub(super) fn compare([reference, student]: [&Drawing; 2], placed: Option<[&Placed<'_>; 2]>) -> Option<Difference> {
-    let mut hidden = unseen(student);
-    if hidden.is_empty() {
-        return None;
+/// Points near the corners of an area, inside of it.
+fn corners(area: &Area) -> Vec<Point> {
+    let count = area.points().count() as f64;
+    let (x, y) = area.points().fold((0.0, 0.0), |(x, y), p| (x + p.x / count, y + p.y / count));
+    area.points().map(|p| Point::new(0.7 * p.x + 0.3 * x, 0.7 * p.y + 0.3 * y)).collect()
+}
+
+/// What a file declares and does not show so, unless the reference shows it no better. `tables` are the declared
+/// structures of both, `placed` the same where both have one.
+pub(super) fn compare(
+    [reference, student]: [&Drawing; 2],
+    tables: [Option<&Table>; 2],
+    placed: Option<[&Placed<'_>; 2]>,
+) -> Vec<Difference> {
+    let faults = |drawing, table: Option<&Table>| table.map_or_else(Vec::new, |table| wrong(drawing, table));
+    let mut found = faults(student, tables[1]);
+    if found.is_empty() {
+        return Vec::new();
     }
-    let excused: BTreeSet<HalfEdgeId> = unseen(reference).iter().filter_map(|name| name.parse().ok()).collect();
-    if let Some([expected, found]) = placed.filter(|_| !excused.is_empty()) {
-        let links = Links::new(expected, found, &expected.matched(found));
-        let partner = |name: &String| links.expected(name.parse().ok()?);
-        hidden.retain(|name| partner(name).is_none_or(|h| !excused.contains(&h)));
+    let excused: BTreeSet<(HalfEdgeId, Wrong)> = faults(reference, tables[0]).into_iter().collect();
+    if let Some([expected, theirs]) = placed.filter(|_| !excused.is_empty()) {
+        let links = Links::new(expected, theirs, &expected.matched(theirs));
+        found.retain(|&(g, wrong)| links.expected(g).is_none_or(|h| !excused.contains(&(h, wrong))));
     }
-    if hidden.is_empty() {
-        return None;
-    }
-    let what =
-        counted(hidden.len(), "half-edge is declared and cannot be seen", "half-edges are declared and cannot be seen");
-    let text = format!("{what}: {}", listed(&hidden));
-    Some(Difference::new(Kind::HalfEdge, Layer::Drawn, text, Spot::Nowhere))
+    let told = |wrong: Wrong| {
+        let names: Vec<String> =
+            found.iter().filter(|(_, other)| *other == wrong).map(|(h, _)| h.to_string()).collect();
+        let [one, many] = wrong.words();
+        let text = format!("{}: {}", counted(names.len(), one, many), listed(&names));
+        (!names.is_empty()).then(|| Difference::new(Kind::HalfEdge, Layer::Drawn, text, Spot::Nowhere))
+    };
+    Wrong::ALL.into_iter().filter_map(told).collect()
 }

@@ -38,6 +38,7 @@ pub(super) enum Hidden {
     Veil,
     Clip,
     Canvas,
+    Rim,
     Marker,
     Letters,
     Faded,
@@ -71,6 +72,10 @@ impl Hidden {
             ],
             Self::Clip => ["its clip-path cuts it off", "their clip-path cuts them off"],
             Self::Canvas => ["it lies outside of the viewBox", "they lie outside of the viewBox"],
+            Self::Rim => [
+                "only its rim is drawn, far from its middle: fill it, or make it smaller",
+                "only their rims are drawn, far from their middles: fill them, or make them smaller",
+            ],
             Self::Marker => [
                 "a marker is drawn over it: make the markers smaller",
                 "markers are drawn over them: make the markers smaller",
@@ -243,11 +248,7 @@ impl Ink {
             "fill-rule" => self.even_odd = value == "evenodd",
             "stroke" if inherits => (self.stroke, self.flat[1]) = (around.stroke, around.flat[1]),
             "stroke" => Served { paint: self.stroke, flat: self.flat[1], .. } = self.servers.paint(value),
-            // A width below 0 is none: it is passed over.
-            "stroke-width" => match numbers::measure(value) {
-                Some(width) if width < 0.0 => {}
-                width => self.width = width.unwrap_or(around.width),
-            },
+            "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
             "stroke-linecap" if inherits => self.round = around.round,
             "stroke-linecap" => self.round = matches!(value, "round" | "square"),
             "stroke-dasharray" if inherits => self.dashes = Rc::clone(&around.dashes),
@@ -370,12 +371,12 @@ impl Ink {
     }
 }
 
+/// A number or a percentage between 0 and 1.
 pub(super) fn fraction(text: &str) -> Option<f64> {
-    let value = match text.strip_suffix('%') {
-        Some(percent) => numbers::length(percent).map(|p| p / 100.0),
-        None => numbers::length(text),
-    };
-    value.map(|x| x.clamp(0.0, 1.0))
+    let mut reader = numbers::Reader::new(text);
+    let value = reader.number()?;
+    let value = if reader.percent() { value / 100.0 } else { value };
+    reader.at_end().then_some(value.clamp(0.0, 1.0))
 }
 
 #[cfg(test)]

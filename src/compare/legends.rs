@@ -7,12 +7,17 @@
 //!      ╲  └─────┘  │
 //!       ●──────────●
 //! ```
+//!
+//! One whose box lets what lies below it shine through may lie over edges, but not over vertices.
 
 use super::beside::Extent;
 use super::drawing::Drawing;
 use super::frame::Frame;
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// A box that covers no more of what lies below it hides no edge.
+const SHEER: f64 = 0.85;
 
 /// The numbers of the legends that lie clear of these points and edges, in the coordinates of the frame.
 /// O(legends times edges).
@@ -29,9 +34,16 @@ pub(super) fn clear(drawing: &Drawing, frame: &Frame, points: &[Point], edges: &
     for outline in drawing.outlines.iter().filter(|outline| outline.legend > 0) {
         outline.points.iter().for_each(|&p| add(outline.legend, p));
     }
-    let is_clear = |extent: &Extent| {
-        !points.iter().any(|&p| extent.meets([p, p])) && !edges.iter().any(|&edge| extent.meets(edge))
+    let mut boxes: BTreeMap<u32, bool> = BTreeMap::new();
+    for outline in drawing.outlines.iter().filter(|outline| outline.legend > 0) {
+        let is_sheer = drawing.painting.coats[outline.coat as usize].alpha <= SHEER;
+        // The first area is the box; what lies in it is small.
+        boxes.entry(outline.legend).or_insert(is_sheer);
+    }
+    let is_clear = |legend: u32, extent: &Extent| {
+        let is_sheer = boxes.get(&legend).is_some_and(|is_sheer| *is_sheer);
+        !points.iter().any(|&p| extent.meets([p, p])) && (is_sheer || !edges.iter().any(|&edge| extent.meets(edge)))
     };
-    let boxes = held.into_iter().map(|(legend, points)| (legend, Extent::around(points)));
-    boxes.filter(|(_, extent)| is_clear(extent)).map(|(legend, _)| legend).collect()
+    let all = held.into_iter().map(|(legend, points)| (legend, Extent::around(points)));
+    all.filter(|(legend, extent)| is_clear(*legend, extent)).map(|(legend, _)| legend).collect()
 }

@@ -23,9 +23,11 @@
 //!   graph.rs       Vertices and edges of two drawings
 //!   halves.rs      Half-edges that are declared and drawn
 //!   ink.rs         What can be seen
+//!   labels.rs      Letters as outlines, and boxes round letters
 //!   legends.rs     Legends within the box of a drawing
 //!   letters.rs     How large letters are
 //!   markers.rs     Which markers a line carries
+//!   names.rs       Names drawn beside what they name
 //!   numbers.rs     Lists of numbers in attributes
 //!   pairing.rs     Which point is which
 //!   path.rs        Path data as polylines
@@ -38,6 +40,7 @@
 //!   tags.rs        Elements as rules see them
 //!   tiles.rs       How much of its tile a pattern paints
 //!   transform.rs   Transforms
+//!   valid.rs       Values that browsers drop
 //!   values.rs      Values that browsers work out and a comparison does not
 //!   viewport.rs    Viewports
 //!   yours.rs       What was handed in, drawn small beside the differences
@@ -66,16 +69,19 @@
 //! (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its paper. Passed over: texts and
 //! markers of ordinary size, labels in a `foreignObject`, curves, what is not displayed, an area round everything
 //! (paper) with the lines along its border and the ticks beyond it, what is called legend or axis and stands clear of
-//! the structure, a legend in a free corner of it, small areas that touch no vertex (letters), animations of what is
-//! not read, and anything else with a note. In the kit's own figures (`data-figure` on the root) half-edges, pointers
-//! and other decoration are passed over, too, but the half-edges that are declared there have to be seen. y points down
-//! in SVG: write `height - y`.
+//! the structure, a legend in a free corner of it or with a box that lets edges shine through, small areas that touch no
+//! vertex (letters), rims of letters and boxes round them, animations of what is not read, and anything else with a note.
+//! A filled outline clear of the structure is no letter: it is a face too many. In the kit's own figures (`data-figure` on
+//! the root) half-edges, pointers and other decoration are passed over, too, but the half-edges that are declared there
+//! have to be seen: each line on the left of its edge, with a barb that points to its end. y points down in SVG: write
+//! `height - y`. A face that a reference drawn by another program lists clockwise may run either way.
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
 //! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of anything
 //! that is read, a box in a `foreignObject` that may reach anywhere, and properties that move an element otherwise than
 //! by `transform`; values that browsers work out and a comparison does not (`var(...)`, `calc(...)`, `color-mix(...)`,
-//! widths in `em`), but for `var(...)` as the size of letters, and style sheets outside of the file.
+//! widths in `em`), but for `var(...)` as the size of letters, style sheets outside of the file, and an edge or a vertex
+//! behind a mask or a filter. A value that browsers drop, as `stroke: blackish`, is as if it were not written.
 //!
 //! # What has to be seen
 //!
@@ -85,9 +91,10 @@
 //! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
 //! off by a clip path or the `viewBox`, left out by dashes, without a size, filled twice under `evenodd`, transparent,
 //! painted by a gradient that is not there, below large letters or markers or letters that have the colour of what lies
-//! round them, or behind a mask or filter is told, with the reason. So is a line of less than 0.1 px, of which a screen
-//! shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px if it has no size. What the
-//! reference's own drawing hides nobody has to show. Colours themselves are not compared.
+//! round them is told, with the reason. So is a line of less than 0.1 px, of which a screen shows a tenth of the ink, on a
+//! drawing of its own size, but at least 600 px, or 1200 px if it has no size. Of lines over each other it is enough that
+//! one shows: they may be cased or double. What the reference's own drawing hides nobody has to show. Colours themselves
+//! are not compared.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
 //! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The
@@ -121,11 +128,13 @@ mod geometry;
 mod graph;
 mod halves;
 mod ink;
+mod labels;
 mod legends;
 mod letters;
 mod links;
 mod markers;
 mod markup;
+mod names;
 mod numbers;
 mod painting;
 mod pairing;
@@ -143,6 +152,7 @@ mod tables;
 mod tags;
 mod tiles;
 mod transform;
+mod valid;
 mod values;
 mod viewport;
 mod yours;
@@ -182,8 +192,9 @@ impl Options {
         Self::default()
     }
 
-    /// Whether the numbers of vertices, half-edges and faces, and the names of faces, must be the same, too.
-    /// Default: no. Needs files that declare their structure.
+    /// Whether the numbers of vertices, half-edges and faces, and the names of faces, must be the same, too, and the
+    /// names that the reference draws must be drawn where they belong. Default: no. Needs files that declare their
+    /// structure; others are refused.
     #[must_use]
     pub fn names(self, names: bool) -> Self {
         Self { names, ..self }
@@ -239,11 +250,13 @@ pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comp
         move |fault: Fault| fault.located(side, &text)
     };
     let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
+    expected.check_names(options).map_err(at(Side::Reference, reference))?;
     let target = expected.target(options).map_err(at(Side::Reference, reference))?;
     if same {
         return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
     }
     let found = File::read(student).map_err(at(Side::Student, student))?;
+    found.check_names(options).map_err(at(Side::Student, student))?;
     expected.compare(&target, &found, options).map_err(at(Side::Student, student))
 }
 
@@ -257,6 +270,11 @@ impl File {
     fn read(text: &str) -> Result<Self, Fault> {
         let document = markup::parse(text)?;
         Ok(Self { table: declared::read(&document)?, drawing: Drawing::read(&document)? })
+    }
+
+    /// Names can be compared of what is declared only.
+    fn check_names(&self, options: &Options) -> Result<(), Fault> {
+        if options.names && self.table.is_none() { Err(Problem::NoNames.into()) } else { Ok(()) }
     }
 
     /// This file as a reference: what it declares must be sound, and be what it draws.
@@ -284,8 +302,12 @@ impl File {
         notes.append(&mut seen.notes);
         let placed = self.table.as_ref().zip(found.table.as_ref());
         let placed = placed.map(|(mine, theirs)| [mine, theirs].map(Placed::new));
-        seen.differences
-            .extend(halves::compare([&self.drawing, &found.drawing], placed.as_ref().map(<[_; 2]>::each_ref)));
+        let tables = [self.table.as_ref(), found.table.as_ref()];
+        let drawings = [&self.drawing, &found.drawing];
+        seen.differences.extend(halves::compare(drawings, tables, placed.as_ref().map(<[_; 2]>::each_ref)));
+        if let (true, [Some(mine), Some(theirs)]) = (options.names, tables) {
+            seen.differences.extend(names::compare([(drawings[0], mine), (drawings[1], theirs)]));
+        }
         let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
         let Some([mine, theirs]) = &placed else {
             let mut differences = seen.differences;

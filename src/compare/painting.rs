@@ -161,6 +161,11 @@ impl Area {
         [self.low, self.high]
     }
 
+    /// The corners of all rings.
+    pub(super) fn points(&self) -> impl Iterator<Item = Point> + '_ {
+        self.sides.iter().map(|side| side[0])
+    }
+
     /// The shorter of the first two sides: the height of a box of letters.
     fn thickness(&self) -> f64 {
         let sides = self.sides.iter().take(2).map(|[a, b]| super::pairing::distance(*a, *b));
@@ -168,6 +173,8 @@ impl Area {
     }
 }
 
+/// Less contrast than this, in steps of 255, cannot be seen of areas.
+pub(super) const PALE: f64 = 4.0;
 /// Markers and letters are of ordinary size up to these parts of the drawing.
 const MARKER: f64 = 0.15;
 const LETTERS: f64 = 0.2;
@@ -257,6 +264,12 @@ impl Painting {
         };
         self.coats.push(Coat { shape, colour, alpha: alpha * opacity, clip, part });
         self.coats.len() as u32 - 1
+    }
+
+    /// Whether a coat is white or paints nothing: clear of everything else, it cannot be told from white paper.
+    pub(super) fn is_blank(&self, coat: u32) -> bool {
+        let coat = &self.coats[coat as usize];
+        coat.colour.iter().all(|part| coat.alpha * (255.0 - part) < PALE)
     }
 
     /// The innermost clip that cuts off a point.

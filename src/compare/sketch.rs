@@ -19,7 +19,7 @@ use super::pairing::{Places, lies_on};
 use super::placed::Placed;
 use super::segments::Grid;
 use super::snap::Snap;
-use super::{legends, rings, shape};
+use super::{labels, legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
 use crate::topology::{InnerComponent, View, bounded_cycle};
@@ -155,16 +155,22 @@ impl Sketch {
             let known = dots.entry(snap.number(at)).or_insert((seen, radius));
             *known = (known.0.or(seen), known.1.max(radius));
         }
+        let labels = labels::labels(drawing, frame, &snap, around.size());
         // All ends first: a line is cut only where something ends or stands.
         let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
         for (i, line) in drawing.lines.iter().enumerate() {
             let ends = line.ends.map(|p| frame.apply(p));
-            if trim.border.get(i).copied().unwrap_or(false) {
+            let is_tight = trim.tight.get(i).copied().unwrap_or(false);
+            if trim.border.get(i).copied().unwrap_or(false)
+                || is_tight && (around.is_crossed_by(ends) || around.is_clear_of(&ends))
+            {
                 beside.border += 1;
             } else if is_beside(line.aside, line.legend, &ends)
-                || trim.aside && line.aside && around.is_crossed_by(ends)
+                || trim.aside && line.aside && (around.is_crossed_by(ends) || around.is_left_by(ends))
             {
                 beside.aside += 1;
+            } else if labels.contains(&line.shape) {
+                beside.small += 1;
             } else {
                 lines.push((*line, ends));
             }
@@ -181,13 +187,17 @@ impl Sketch {
                 Area::Face if covers && !corners.iter().any(|&p| snap.is_known(p)) => beside.paper.push(outline.coat),
                 Area::Bar(ends) => {
                     beside.bars.push(outline.coat);
-                    lines.push((Line { ends, hidden: outline.hidden, aside: false, legend: 0, shape: u32::MAX }, ends));
+                    lines.push((
+                        Line { ends, hidden: outline.hidden, aside: false, legend: 0, shape: u32::MAX, curved: false },
+                        ends,
+                    ));
                     numbers.push(Some(ends.map(|p| snap.number(p))));
                 }
                 Area::Paper => beside.paper.push(outline.coat),
                 Area::Small => beside.small += 1,
+                Area::Beside if drawing.painting.is_blank(outline.coat) => beside.small += 1,
                 Area::Curved => {}
-                Area::Face => shapes.push((outline, corners)),
+                Area::Face | Area::Beside => shapes.push((outline, corners)),
             }
         }
         for (_, corners) in &mut shapes {

@@ -46,7 +46,14 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
     let extra_point = |m: u32, at: &str| {
         Some(format!("vertex {} of yours at {at} is not in the reference", found.graph.names[m as usize]))
     };
-    let telling = Telling { layer: Layer::Declared, writing, tolerance, extra_point: &extra_point, hidden: &|_| None };
+    let telling = Telling {
+        layer: Layer::Declared,
+        writing,
+        tolerance,
+        extra_point: &extra_point,
+        is_told: &|_| true,
+        hidden: &|_| None,
+    };
     let mut differences = matched.differences(&expected.graph, &found.graph, &telling);
     differences.extend(unplaced(found.table));
 

@@ -1,7 +1,7 @@
 //! Values that browsers work out and a comparison does not.
 //!
 //! ```text
-//!   stroke: blurple            no value at all: browsers pass it over
+//!   stroke: blurple            no value at all: browsers pass it over (valid.rs)
 //!   stroke: var(--line)        a value, and who knows which: refused
 //!   stroke: initial            `none`, as if nobody had said anything
 //! ```
@@ -43,11 +43,14 @@ const OF_COLOURS: [&str; 15] = [
 ];
 /// Colours that the reader's system or the place in the file says.
 #[rustfmt::skip]
-const OF_SYSTEMS: [&str; 26] = [
-    "accentcolor", "accentcolortext", "activetext", "background", "buttonborder", "buttonface", "buttontext", "canvas",
-    "canvastext", "context-fill", "context-stroke", "field", "fieldtext", "graytext", "highlight", "highlighttext",
-    "linktext", "mark", "marktext", "menu", "menutext", "selecteditem", "selecteditemtext", "visitedtext", "window",
-    "windowtext",
+const OF_SYSTEMS: [&str; 45] = [
+    "accentcolor", "accentcolortext", "activeborder", "activecaption", "activetext", "appworkspace", "background",
+    "buttonborder", "buttonface", "buttonhighlight", "buttonshadow", "buttontext", "canvas", "canvastext",
+    "captiontext", "context-fill", "context-stroke", "field", "fieldtext", "graytext", "highlight", "highlighttext",
+    "inactiveborder", "inactivecaption", "inactivecaptiontext", "infobackground", "infotext", "linktext", "mark",
+    "marktext", "menu", "menutext", "scrollbar", "selecteditem", "selecteditemtext", "threeddarkshadow", "threedface",
+    "threedhighlight", "threedlightshadow", "threedshadow", "visitedtext", "window", "windowframe", "windowtext",
+    "-webkit-link",
 ];
 
 /// `initial`, `unset` and `revert` as the plain value they stand for, or as `inherit`.

@@ -24,7 +24,8 @@ use std::path::{Path, PathBuf};
 /// they stand on the canvas and however large they are, in any order, colour and width; a drawing may be scaled
 /// and shifted, but not mirrored, turned or stretched, and all of it must be seen. If both files declare their
 /// structure in data-* attributes, as the kit's figures do, every pointer is compared, too, and the drawing must
-/// show what is declared. Names count with --names only.
+/// show what is declared. Names count with --names only: drawings have to declare them then, and show those that
+/// the reference shows where they belong.
 ///
 /// Two structures, of any format: vertices, edges, faces and all pointers are compared at their places; ids may be
 /// others.
@@ -42,7 +43,8 @@ What is read of drawings:
   around    <g>, <use>, <symbol>, transform, clip-path, units,
             style attributes, simple style sheets
 What hides an edge, a circle or a face is reported: draw faces first,
-then lines, then circles. Texts, curves, backgrounds and frames,
+then lines, then circles; what a mask or a filter may hide is
+refused. Texts and boxes round them, curves, backgrounds and frames,
 and what is called legend or axis are passed over. y points down
 in SVG: draw y as height - y, with two decimals or more. An edge
 may be drawn twice. Drawings of matplotlib, TikZ, Inkscape, cairo,

@@ -89,6 +89,8 @@ pub(in crate::compare) struct Line {
     pub(in crate::compare) legend: u32,
     /// The number of the element that draws it.
     pub(in crate::compare) shape: u32,
+    /// Whether that element has curves, too.
+    pub(in crate::compare) curved: bool,
 }
 
 /// A filled outline.
@@ -102,6 +104,7 @@ pub(in crate::compare) struct Outline {
     /// Whether some of its sides are curves.
     pub(in crate::compare) curved: bool,
     pub(in crate::compare) hidden: Option<Hidden>,
+    pub(in crate::compare) aside: bool,
     pub(in crate::compare) legend: u32,
     pub(in crate::compare) shape: u32,
 }
@@ -116,6 +119,16 @@ pub(in crate::compare) struct Half {
     pub(in crate::compare) lacks: bool,
 }
 
+/// A text in the group of what it names.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(in crate::compare) struct Name {
+    /// The vertex, half-edge or face that the group declares.
+    pub(in crate::compare) element: String,
+    pub(in crate::compare) text: String,
+    /// What it paints, if anything.
+    pub(in crate::compare) coat: Option<u32>,
+}
+
 /// All that is drawn.
 #[derive(Clone, Debug, Default)]
 pub(in crate::compare) struct Drawing {
@@ -124,6 +137,7 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) outlines: Vec<Outline>,
     /// The half-edges that a figure of the kit draws beside its edges.
     pub(in crate::compare) halves: Vec<Half>,
+    pub(in crate::compare) names: Vec<Name>,
     pub(in crate::compare) painting: Painting,
     /// The coat behind it all, by the style of the root.
     pub(in crate::compare) ground: Option<u32>,
@@ -324,6 +338,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let inside = self.inside(node, outer)?;
         self.blank += usize::from(inside.is_none() && outer.decorates && name != "text");
         let is_displayed = inside.is_some();
+        let element = node.parent().filter(|_| name == "text").and_then(declared::name);
         if let Some(around) = inside {
             match name {
                 "svg" | "g" | "a" => {
@@ -346,6 +361,11 @@ impl<'a, 'i> Reader<'a, 'i> {
                     self.shapes[number].end = self.out.painting.coats.len() as u32;
                 }
             }
+        }
+        if let Some(element) = element {
+            let text = node.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect::<String>();
+            let coat = (before.1 < self.out.painting.coats.len() as u32).then_some(before.1);
+            self.out.names.push(Name { element: element.to_owned(), text: text.trim().to_owned(), coat });
         }
         if self.kit && declared::is_half_edge(node) {
             let name = node.attribute("id").and_then(|id| id.rsplit('-').next()).unwrap_or("").to_owned();
@@ -515,13 +535,37 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Ok(());
         };
         let corner = [length(node, "x", 0, &around)?, length(node, "y", 1, &around)?];
+        // Rules look at the place where it stands; what it inherits comes from here.
+        let outside = std::mem::take(&mut self.path);
+        self.path = self.tags_around(target)?;
         if matches!(target.tag_name().name(), "symbol" | "svg") {
-            let Some(styled) = self.inside(target, &around)? else { return Ok(()) };
-            let inner = self.inner(target, node, corner, styled)?;
-            return self.children(target, &inner, depth + 1);
+            if !self.rules.is_empty() {
+                self.path.push(tag(target));
+            }
+            if let Some(styled) = self.inside(target, &around)? {
+                let inner = self.inner(target, node, corner, styled)?;
+                self.children(target, &inner, depth + 1)?;
+            }
+        } else {
+            around.transform = around.transform.after(&Transform::translate(corner[0], corner[1]));
+            self.element(target, &around, depth + 1)?;
         }
-        around.transform = around.transform.after(&Transform::translate(corner[0], corner[1]));
-        self.element(target, &around, depth + 1)
+        self.path = outside;
+        Ok(())
+    }
+
+    /// The tags from the root to what an element stands in, if there are rules that look at them.
+    fn tags_around(&mut self, node: Node<'a, 'i>) -> Result<Vec<Tag>, Fault> {
+        if self.rules.is_empty() {
+            return Ok(Vec::new());
+        }
+        let mut out = Vec::new();
+        for element in node.ancestors().skip(1).filter(Node::is_element) {
+            self.visit(element)?;
+            out.push(tag(element));
+        }
+        out.reverse();
+        Ok(out)
     }
 
     /// The number of the shape that is read.

@@ -10,6 +10,7 @@ use crate::compare::colour::Paint;
 use crate::compare::declarations::bare;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::ink::Ink;
+use crate::compare::markup::is_svg;
 use crate::compare::numbers;
 use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
@@ -35,7 +36,7 @@ pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
         return Err(Fault::at(node.range().start, Problem::StyleSheet { what }));
     }
     let (mut css, mut size) = (String::new(), 0);
-    for node in document.descendants().filter(|n| n.tag_name().name() == "style") {
+    for node in document.descendants().filter(is_style_sheet) {
         let mut sheet = String::new();
         node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| sheet.push_str(text));
         size += sheet.len();
@@ -55,6 +56,13 @@ pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
         css.push_str(&sheet);
     }
     Ok(css)
+}
+
+/// Whether an element is a style sheet that browsers apply: one of SVG or of XHTML, in CSS.
+fn is_style_sheet(node: &Node<'_, '_>) -> bool {
+    let is_known = is_svg(*node) || node.tag_name().namespace() == Some(XHTML);
+    let is_css = node.attribute("type").is_none_or(|kind| kind.is_empty() || kind.eq_ignore_ascii_case("text/css"));
+    is_known && node.tag_name().name() == "style" && is_css
 }
 
 /// Whether a style sheet brings in one that stands in the address itself; others are not there.

@@ -26,6 +26,8 @@ const THIN: f64 = 0.099;
 const GAP: f64 = 24.0;
 /// A line is one of no length if it is no longer than this part of half its width.
 const TINY: f64 = 0.1;
+/// Corners of a rectangle that are round by no more than this part of its longer side are sharp.
+const SHARP: f64 = 1e-4;
 /// Pieces of curves that make a circle, at least.
 const PIECES: usize = 12;
 
@@ -57,11 +59,12 @@ impl<'a, 'i> Reader<'a, 'i> {
         let circle = circle.map(|(centre, radius)| around.of_circle(centre, radius));
         let around = circle.as_deref().unwrap_or(around);
         self.area(node, what, &placed, around);
+        let has_curves = placed.iter().any(|(points, _)| points.iter().any(|p| p.1));
         for (points, closed) in &placed {
             if let Some((centre, radius)) = round(points, *closed).filter(|_| !around.decorates) {
                 self.round_path(node, centre, radius, around);
             } else {
-                self.trace(node, points, *closed, what, around);
+                self.trace(node, points, *closed, what, has_curves, around);
             }
         }
         if outer.ink.markers.is_any() && what != "rect" {
@@ -105,6 +108,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                     coat,
                     curved: points.iter().any(|p| p.1),
                     hidden: around.ink.hidden_fill(),
+                    aside: around.aside,
                     legend: around.legend,
                     shape: self.current(),
                 });
@@ -124,8 +128,16 @@ impl<'a, 'i> Reader<'a, 'i> {
         around.ink.hidden_stroke().or(is_thin.then_some(Hidden::Thin))
     }
 
-    /// The lines of a polyline.
-    fn trace(&mut self, node: Node<'_, '_>, points: &[(Point, bool)], closed: bool, what: &str, around: &Around) {
+    /// The lines of a polyline, which is the whole element or one part of it.
+    fn trace(
+        &mut self,
+        node: Node<'_, '_>,
+        points: &[(Point, bool)],
+        closed: bool,
+        what: &str,
+        has_curves: bool,
+        around: &Around,
+    ) {
         let Some(&(first, _)) = points.first() else { return };
         let ink = &around.ink;
         let hidden = self.hidden_line(around);
@@ -173,6 +185,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                         aside: around.aside,
                         legend: around.legend,
                         shape: self.current(),
+                        curved: has_curves,
                     });
                 }
             }
@@ -344,7 +357,7 @@ fn polyline(node: Node<'_, '_>, closed: bool) -> Result<Vec<Subpath>, Fault> {
     Ok(vec![Subpath { points, closed }])
 }
 
-/// A rectangle; with round corners that are nearly all of it, a circle.
+/// A rectangle; with round corners that are nearly all of it, a circle; with others, straight sides and arcs.
 fn rect(node: Node<'_, '_>, around: &Around) -> Result<Vec<Subpath>, Fault> {
     let (x, y) = (length(node, "x", 0, around)?, length(node, "y", 1, around)?);
     let (width, height) = (length(node, "width", 0, around)?, length(node, "height", 1, around)?);
@@ -357,6 +370,14 @@ fn rect(node: Node<'_, '_>, around: &Around) -> Result<Vec<Subpath>, Fault> {
         let (right, middle) = (x + width, y + height / 2.0);
         let (rx, ry) = (width / 2.0, height / 2.0);
         let data = format!("M{right} {middle}A{rx} {ry} 0 0 1 {x} {middle}A{rx} {ry} 0 0 1 {right} {middle}Z");
+        return Ok(path::read(&data).unwrap_or_default());
+    }
+    if rx.min(ry) > SHARP * width.max(height) {
+        let (left, right, top, bottom) = (x + rx, x + width - rx, y + ry, y + height - ry);
+        let arc = |x: f64, y: f64| format!("A{rx} {ry} 0 0 1 {x} {y}");
+        let arcs = [arc(x + width, top), arc(right, y + height), arc(x, bottom), arc(left, y)];
+        let [a, b, c, d] = arcs;
+        let data = format!("M{left} {y}H{right}{a}V{bottom}{b}H{left}{c}V{top}{d}Z");
         return Ok(path::read(&data).unwrap_or_default());
     }
     let points = corners([x, y, width, height]).map(|p| (p, false)).to_vec();

@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
 mod accepted;
+mod declared;
 mod foreign;
 mod geometry;
 mod hidden;
@@ -11,6 +12,7 @@ mod pen;
 mod rewrites;
 mod seen;
 mod sheets;
+mod square;
 mod tools;
 mod values;
 mod variants;

@@ -1,0 +1,55 @@
+//! Shapes that are letters, or boxes round letters: their strokes are no edges.
+//!
+//! ```text
+//!   ●────────●      a small shape with curves that touches no vertex: the outline of letters, or a round box
+//!   │ (f1)   │      a small filled rectangle that touches no vertex, with letters drawn in it next: a box
+//!   ●────────●
+//! ```
+
+use super::beside::{Extent, SMALL};
+use super::drawing::{Drawing, Outline};
+use super::frame::Frame;
+use super::painting::{Mark, Part};
+use super::pairing::distance;
+use super::snap::Snap;
+use crate::plane::Point;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A box of letters is no larger than this part of the drawing.
+const BOX: f64 = 0.3;
+/// So many coats behind that of a box are looked at for its letters.
+const NEXT: usize = 6;
+
+/// The numbers of these shapes in a drawing that is so large in the coordinates of the frame. `snap` knows the points of
+/// the reference and the circles. O(n log n).
+pub(super) fn labels(drawing: &Drawing, frame: &Frame, snap: &Snap, size: f64) -> BTreeSet<u32> {
+    let mut held: BTreeMap<u32, Vec<Point>> = BTreeMap::new();
+    for line in drawing.lines.iter().filter(|line| line.curved) {
+        held.entry(line.shape).or_default().extend(line.ends.map(|p| frame.apply(p)));
+    }
+    let is_apart = |points: &[Point], most: f64| {
+        let [low, _, high, _] = Extent::around(points.to_vec()).corners();
+        distance(low, high) <= most * size && !points.iter().any(|&p| snap.is_known(p))
+    };
+    let mut out: BTreeSet<u32> = BTreeSet::new();
+    let filled: BTreeSet<u32> = drawing.outlines.iter().filter(|o| o.curved).map(|outline| outline.shape).collect();
+    let most = |shape: &u32| if filled.contains(shape) { BOX } else { SMALL };
+    out.extend(held.iter().filter(|(shape, points)| is_apart(points, most(shape))).map(|(shape, _)| *shape));
+    for outline in drawing.outlines.iter().filter(|outline| !outline.curved && matches!(outline.points.len(), 4 | 5)) {
+        let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
+        if is_apart(&corners, BOX) && holds_letters(drawing, outline) {
+            out.insert(outline.shape);
+        }
+    }
+    out
+}
+
+/// Whether letters are drawn in an upright rectangle right after it: a text, or areas that it holds.
+fn holds_letters(drawing: &Drawing, outline: &Outline) -> bool {
+    let around = Extent::around(outline.points.clone());
+    let slack = 1e-6 * around.size();
+    let is_upright = outline.points.iter().all(|&p| around.corners().iter().any(|&q| distance(p, q) <= slack));
+    let coats = drawing.painting.coats.iter().skip(outline.coat as usize + 1).take(NEXT);
+    let mut inside = coats.filter(|coat| matches!(coat.part, Part::Area | Part::Mark(Mark::Letters)));
+    is_upright && inside.next().is_some_and(|coat| coat.corners().iter().all(|&p| around.holds(p, 0.0)))
+}

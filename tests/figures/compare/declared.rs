@@ -1,0 +1,139 @@
+//! What a figure of the kit declares is drawn where it is declared: lines, barbs and names of half-edges.
+
+use super::pen::{Pen, table};
+use super::{judge, kit, ship};
+use dcel_kit::compare::{Options, compare};
+
+fn reference() -> String {
+    kit(&table(&ship()))
+}
+
+/// The place of the group of an element among the lines of a figure.
+fn group(lines: &[String], name: &str) -> usize {
+    lines.iter().position(|line| line.starts_with("<g ") && line.contains(&format!("id=\"ship-{name}\""))).unwrap()
+}
+
+/// The line within a group that starts so.
+fn within(lines: &[String], name: &str, start: &str) -> usize {
+    let at = group(lines, name);
+    at + lines[at..].iter().position(|line| line.starts_with(start)).unwrap()
+}
+
+fn changed(change: impl FnOnce(&mut Vec<String>)) -> String {
+    let mut lines: Vec<String> = reference().lines().map(str::to_owned).collect();
+    change(&mut lines);
+    lines.join("\n")
+}
+
+const LINE: &str = "<line class=\"sh\"";
+const BARB: &str = "<path class=\"barb\"";
+const NAME: &str = "<text class=\"hl\"";
+
+#[track_caller]
+fn says(svg: &str, said: &str) {
+    // The same against what declares, and against what only draws.
+    for reference in [reference(), Pen::new(&ship()).svg()] {
+        let answer = judge(&reference, svg);
+        assert!(!answer.is_equal() && answer.text().contains(said), "`{said}` not said: {}", answer.text());
+    }
+}
+
+#[test]
+fn half_edges_are_drawn_where_they_are_declared() {
+    let is_part = |line: &str| [LINE, BARB, NAME].iter().any(|start| line.starts_with(start));
+    says(&changed(|lines| lines.retain(|line| !is_part(line))), "66 half-edges are declared and not drawn: h0, h1");
+    says(&changed(|lines| lines.retain(|line| !line.starts_with(LINE))), "66 half-edges are declared and not drawn");
+    let one = |lines: &mut Vec<String>| {
+        let at = within(lines, "h0", LINE);
+        lines.drain(at..at + 2);
+    };
+    says(&changed(one), "1 half-edge is declared and not drawn: h0");
+    let swap = |lines: &mut Vec<String>, start: &str| {
+        let [a, b] = ["h0", "h1"].map(|name| within(lines, name, start));
+        lines.swap(a, b);
+    };
+    let both = changed(|lines| [LINE, BARB].iter().for_each(|start| swap(lines, start)));
+    says(&both, "2 half-edges are not drawn on the left of their edges, from vertex to vertex: h0, h1");
+}
+
+#[test]
+fn barbs_point_to_the_ends_of_their_half_edges() {
+    let reference = reference();
+    for rule in ["#ship .barb{fill:none}", "#ship .barb{display:none}"] {
+        let svg = reference.replacen("</style>", &format!("{rule}</style>"), 1);
+        says(&svg, "66 half-edges have no barbs that can be seen: h0, h1");
+    }
+    says(&changed(|lines| lines.retain(|line| !line.starts_with(BARB))), "66 half-edges have no barbs");
+    let swapped = changed(|lines| {
+        let [a, b] = ["h0", "h1"].map(|name| within(lines, name, BARB));
+        lines.swap(a, b);
+    });
+    says(&swapped, "2 half-edges have barbs that do not point to the ends of them: h0, h1");
+}
+
+/// All figures of the kit are drawn as they declare, whatever else they show.
+#[test]
+fn the_figures_of_the_kit_show_what_they_declare() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../figures");
+    let mut seen = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "svg") {
+            continue;
+        }
+        let full = std::fs::read_to_string(&path).unwrap();
+        if !full.contains("data-origin") || !full.contains("data-figure") {
+            continue;
+        }
+        // A reference without any line or barb excuses none that is elsewhere or points backwards.
+        let starts = ["<line class=\"sh", "<path class=\"barb"];
+        let bare: Vec<&str> = full.lines().filter(|line| !starts.iter().any(|start| line.starts_with(start))).collect();
+        if let Ok(answer) = compare(&bare.join("\n"), &full, &Options::new()) {
+            assert!(answer.is_equal(), "{}: {}", path.display(), answer.text());
+            seen += 1;
+        }
+    }
+    assert!(seen > 5, "{seen}");
+}
+
+fn named(svg: &str) -> String {
+    compare(&reference(), svg, &Options::new().names(true)).unwrap().text()
+}
+
+#[test]
+fn names_say_what_they_name_and_stand_where_it_is() {
+    assert!(named(&reference().replace('\n', "\r\n")).starts_with("equal"));
+    for (element, other) in [("v1", "v0"), ("h0", "h1"), ("f1", "f2")] {
+        let says_other = changed(|lines| {
+            let at = within(lines, element, "<text");
+            lines[at] = lines[at].replace(&format!(">{element}<"), &format!(">{other}<"));
+        });
+        let said = format!("the name drawn at {element} is {other}");
+        assert!(named(&says_other).contains(&said), "{said}: {}", named(&says_other));
+        assert!(judge(&reference(), &says_other).is_equal());
+        // The text of the one where that of the other stands.
+        let elsewhere = changed(|lines| {
+            let [a, b] = [element, other].map(|name| within(lines, name, "<text"));
+            let moved = lines[b].replace(&format!(">{other}<"), &format!(">{element}<"));
+            lines[a] = moved;
+        });
+        let said = format!("the name of {element} does not stand where {element} is drawn");
+        assert!(named(&elsewhere).contains(&said), "{said}: {}", named(&elsewhere));
+        let gone = changed(|lines| _ = lines.remove(within(lines, element, "<text")));
+        assert!(named(&gone).contains(&format!("the name of {element} is not drawn")), "{}", named(&gone));
+        let hidden = changed(|lines| {
+            let at = within(lines, element, "<text");
+            lines[at] = lines[at].replacen("<text", "<text visibility=\"hidden\"", 1);
+        });
+        assert!(named(&hidden).contains(&format!("the name of {element} cannot be seen")), "{}", named(&hidden));
+    }
+}
+
+#[test]
+fn names_of_drawings_that_declare_none_are_refused() {
+    let plain = Pen::new(&ship()).svg();
+    for [mine, theirs] in [[&plain, &reference()], [&reference(), &plain], [&plain, &plain]] {
+        let error = compare(mine, theirs, &Options::new().names(true)).unwrap_err().to_string();
+        assert!(error.contains("names cannot be compared: this drawing declares none in data-* attributes"), "{error}");
+    }
+}
