@@ -6,7 +6,6 @@
 //! ```
 
 use super::Options;
-use super::areas;
 use super::beside::{Trim, thin};
 use super::drawing::Drawing;
 use super::error::{Fault, Problem};
@@ -20,6 +19,7 @@ use super::report::{Difference, GROUP, Kind, Layer, Spot, Writing, counted, list
 use super::rings;
 use super::shape;
 use super::sketch::{Outline, Sketch};
+use super::strangers::strangers;
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -233,7 +233,7 @@ impl<'a> Target<'a> {
     /// How many points, edges and faces of a drawing differ where it is placed.
     fn faults(&self, placing: &Placing) -> usize {
         let (expected, found) = (&self.sketch, &placing.found);
-        placing.matched.faults() + areas::strangers(expected, found, &placing.matched)
+        placing.matched.faults() + strangers(expected, found, &placing.matched)
     }
 
     fn read(&self, drawing: &Drawing, frame: &Frame, trim: &Trim) -> Result<(Sketch, Matched), Fault> {

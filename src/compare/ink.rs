@@ -14,7 +14,7 @@ use super::declarations::declarations;
 use super::geometry::Geometry;
 use super::letters::Letters;
 use super::markers::{Markers, Stand};
-use super::numbers;
+use super::numbers::{self, fraction};
 use super::served::{Served, Servers};
 use super::values::{is_unread, plainly};
 use crate::figure::canvas::selectors::{Rule, Tag};
@@ -369,14 +369,6 @@ impl Ink {
     pub(super) fn fills(&self) -> bool {
         self.hidden_fill().is_none_or(|why| why == Hidden::Veil)
     }
-}
-
-/// A number or a percentage between 0 and 1.
-pub(super) fn fraction(text: &str) -> Option<f64> {
-    let mut reader = numbers::Reader::new(text);
-    let value = reader.number()?;
-    let value = if reader.percent() { value / 100.0 } else { value };
-    reader.at_end().then_some(value.clamp(0.0, 1.0))
 }
 
 #[cfg(test)]

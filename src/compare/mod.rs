@@ -8,7 +8,6 @@
 //!                     answer: answer.rs (report.rs), and a picture of the differences: diff.rs
 //! ```
 //!
-//!
 //! ```text
 //!   animations.rs  Elements that change something after a moment
 //!   areas.rs       Layer 3, faces
@@ -37,6 +36,7 @@
 //!   served.rs      What url(#...) paints
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   strangers.rs   Faces without a partner, counted
 //!   tags.rs        Elements as rules see them
 //!   tiles.rs       How much of its tile a pattern paints
 //!   transform.rs   Transforms
@@ -49,10 +49,11 @@
 //!
 //! **0** Both files are XML within limits (8 MiB, 200,000 elements), without declarations and scripts, all numbers
 //! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
-//! `data-*` attributes, all invariants are checked, vertices are matched by place, half-edges by their ends, and every
-//! pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must be what
-//! is declared, and can be seen: colours are worked out at points along every edge, in every circle and face. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
-//! never compared: a test of the pixels passes drawings that are wrong and fails drawings that are right.
+//! `data-*` attributes, all invariants are checked, vertices are matched by place, half-edges by their ends, and
+//! every pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must
+//! be what is declared, and can be seen: colours are worked out at points along every edge, in every circle and face.
+//! **4** If hardly a point lies where it should, connections are compared without places. Pixels are never compared:
+//! a test of the pixels passes drawings that are wrong and fails drawings that are right.
 //!
 //! # What a program has to write
 //!
@@ -148,6 +149,7 @@ mod servers;
 mod shape;
 mod sketch;
 mod snap;
+mod strangers;
 mod tables;
 mod tags;
 mod tiles;

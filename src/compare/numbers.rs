@@ -152,6 +152,14 @@ pub(super) fn length(text: &str) -> Option<f64> {
     reader.at_end().then_some(value)
 }
 
+/// A number or a percentage between 0 and 1.
+pub(super) fn fraction(text: &str) -> Option<f64> {
+    let mut reader = Reader::new(text);
+    let value = reader.number()?;
+    let value = if reader.percent() { value / 100.0 } else { value };
+    reader.at_end().then_some(value.clamp(0.0, 1.0))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,12 +8,13 @@
 use super::colour::{Paint, paint};
 use super::declarations::declarations;
 use super::error::{Fault, Problem};
-use super::ink::{Ink, fraction};
+use super::ink::Ink;
 use super::markup::is_svg;
+use super::numbers::{self, fraction};
 use super::served::{Server, Servers};
 use super::tags::{size, tag};
+use super::tiles;
 use super::values::{is_unread, unworked};
-use super::{numbers, tiles};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;

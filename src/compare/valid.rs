@@ -9,8 +9,7 @@
 
 use super::colour::{Paint, paint};
 use super::geometry::is_geometry;
-use super::ink::fraction;
-use super::numbers::{Reader, measure};
+use super::numbers::{Reader, fraction, measure};
 use super::values::is_unread;
 
 /// Where a value is written: places and sizes need a unit in a style, and none in an attribute.

@@ -29,7 +29,7 @@
 //   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids
 //   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs and labels.rs
 //   JSON          json.rs -> geojson.rs topojson.rs -> geometries.rs arrays.rs nodes.rs
-//                 rings.rs               joins equal points of rings    left_out.rs  what is read over
+//                 rings.rs  repaired.rs  joins equal points of rings    left_out.rs  what is read over
 //   both          wkt.rs                 polygons into rings.rs, or segments
 //   segments      segments.rs poly.rs -> arrange.rs
 //   others        dcel.rs tables.rs      whole structures       scen/  queries       points.rs  points alone
@@ -70,6 +70,7 @@ mod points;
 pub mod poly;
 mod problem;
 mod read;
+mod repaired;
 mod rings;
 mod room;
 pub mod scen;

@@ -3,7 +3,7 @@
 use super::labels::Labels;
 use super::left_out::LeftOut;
 use super::problem::{ReadError, ReadProblem};
-use super::rings::Repaired;
+use super::repaired::Repaired;
 use super::room::{reserved, too_little};
 use crate::ids::MAX_IDS;
 use crate::plane::Point;

@@ -176,7 +176,7 @@ fn the_turn_that_leaves_the_fewest_differences_is_named_and_of_those_the_smalles
         &swapped,
         &[
             "edge between (62, 380) and (538, 23) is missing",
-            "edge between (62, 23) and (538, 380) is not in the reference",
+            "edge between (538, 380) and (62, 23) is not in the reference",
         ],
     );
 }
