@@ -61,7 +61,9 @@ The least that a program has to write:
 Examples:
   dcel compare expected.svg mine.svg
   dcel compare expected.svg mine.svg --diff diff.svg
-  dcel compare expected.svg mine.svg --names --json
+  dcel compare expected.svg mine.svg --json
+  dcel figure square.obj -o kit.svg && \\
+    dcel compare kit.svg kit.svg --names
   dcel compare square.dcel square.obj")]
 pub(crate) struct Args {
     /// What is expected: a drawing or a structure

@@ -26,10 +26,10 @@ pub(crate) struct Args {
     face: FaceId,
     /// One corner
     #[arg(value_name = "FROM")]
-    from: VertexId,
+    one: VertexId,
     /// The other corner
     #[arg(value_name = "TO")]
-    to: VertexId,
+    other: VertexId,
     #[command(flatten)]
     target: Target,
     #[command(flatten)]
@@ -39,15 +39,15 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.target.check(Some(&args.file))?;
     let mut solid = open(&args.file, &args.input)?;
-    let [from, to] = [corner(args, &solid, args.from)?, corner(args, &solid, args.to)?];
+    let [from, to] = [corner(args, &solid, args.one)?, corner(args, &solid, args.other)?];
     let before = solid.clone();
     let (diagonal, _) = solid.split_face(from, to).map_err(|error| refused(&args.file, &error))?;
     if !lies_inside(&before, args.face, &solid, diagonal) {
         let what = format!(
             "{}: the line from {} to {} does not lie inside {}",
             args.file.display(),
-            args.from,
-            args.to,
+            args.one,
+            args.other,
             args.face
         );
         return Err(Failure::input(what, "choose two corners that see each other inside the face"));
