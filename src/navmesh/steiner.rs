@@ -118,7 +118,7 @@ impl OnSides<'_> {
     fn near(&mut self, side: u32, p: Space) {
         let of = &self.sides[side as usize];
         let (length, (foot, far)) = (of.length(), of.foot(p));
-        if !(far < length / 2.0) {
+        if far >= length / 2.0 {
             return;
         }
         self.add(side, foot, 0.0, u8::MAX);

@@ -122,7 +122,7 @@ fn a_border_along_which_a_wall_stood_is_straight_again_when_all_is_out() {
         assert!(now.vertices().all(|v| now.point(v) == first.point(v)), "{order:?}");
         assert!(now.faces().eq(first.faces()), "{order:?}: {:?}", now.faces().collect::<Vec<_>>());
         assert!(now.edges().eq(first.edges()), "{order:?}: {:?}", now.edges().collect::<Vec<_>>());
-        for h in first.edges().flat_map(|e| e.half_edges()) {
+        for h in first.edges().flat_map(dcel_kit::EdgeId::half_edges) {
             let of = |map: &Subdivision| (map.origin(h), map.next(h), map.face(h));
             assert_eq!(of(now), of(first), "{order:?}: {h}");
         }
