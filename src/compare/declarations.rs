@@ -141,7 +141,7 @@ mod tests {
             ("/* a;b:c */stroke:red;/**/", "stroke:red"),
             ("a:b ! Important;a:c", "a:c;a:b"),
             (r"str\6f ke:n\00006Fne;o\pacity:0", "stroke:none;opacity:0"),
-            (r"font-family:\;stroke\3a none;fill:a/b", r"font-family:\stroke\none;fill:a/b"),
+            (r"font-family:\;stroke\3a none;b:a/b", r"font-family:\stroke\none;b:a/b"),
         ] {
             let all = said(&format!("style='{style}'"));
             assert!(all.ends_with(&format!(";{properties}")), "{style}: {all}");
