@@ -87,9 +87,10 @@ impl Sketch {
                 InnerComponent::Cycle(h) => Some(*h),
                 InnerComponent::Isolated(_) => None,
             });
-            let is_outer = table.outer_face == Some(f);
+            // A hole looks like the paper, and so may the outer face.
+            let is_free = table.outer_face == Some(f) || table.is_hole(f);
             for (i, ring) in table.half_edge(f).into_iter().chain(further).map(corners).enumerate() {
-                if i == 0 && !is_outer && ring.len() > 2 {
+                if i == 0 && !is_free && ring.len() > 2 {
                     out.outlines.push(Outline { ring, name: f.to_string(), coat: u32::MAX });
                 } else {
                     out.welcome.push(rings::canonical(&ring));

@@ -2,7 +2,10 @@
 
 use super::pen::{Pen, table};
 use super::{judge, kit, ship};
+use dcel_kit::FaceId;
 use dcel_kit::compare::{Options, compare};
+use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::topology::PolygonList;
 
 fn reference() -> String {
     kit(&table(&ship()))
@@ -136,4 +139,21 @@ fn names_of_drawings_that_declare_none_are_refused() {
         let error = compare(mine, theirs, &Options::new().names(true)).unwrap_err().to_string();
         assert!(error.contains("names cannot be compared: this drawing declares none in data-* attributes"), "{error}");
     }
+}
+
+/// Hole faces have the colour of the paper, and light lines over it.
+#[test]
+fn figures_with_holes_are_equal_to_themselves() {
+    let points = [(0., 0.), (10., 0.), (10., 10.), (0., 10.), (2., 2.), (4., 2.), (4., 4.), (2., 4.)].map(Point::from);
+    let mut garden = PolygonList::new();
+    garden.push_face(&[0, 1, 2, 3]);
+    garden.push_hole(&[4, 5, 6, 7]);
+    let map = Subdivision::from_polygons(points.to_vec(), &garden).unwrap();
+    assert!(map.is_hole(FaceId::new(2)));
+    let svg = kit(&table(&map));
+    let answer = judge(&svg, &svg.replacen("<desc", "<!-- other bytes --><desc", 1));
+    assert!(answer.is_equal(), "{}", answer.text());
+    // A face that is none is still missed.
+    let unfilled = svg.replacen("class=\"face", "display=\"none\" class=\"face", 1);
+    assert!(!judge(&svg, &unfilled).is_equal());
 }
