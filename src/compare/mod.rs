@@ -12,6 +12,7 @@
 //!   animations.rs  Elements that change something after a moment
 //!   areas.rs       Layer 3, faces
 //!   beside.rs      What is drawn beside a structure and is no part of it
+//!   cells.rs       Where coats lie
 //!   colour.rs      Colours as CSS writes them
 //!   dashes.rs      How much of a line its dashes draw
 //!   declarations.rs  What is said of an element
@@ -113,6 +114,7 @@ mod animations;
 mod answer;
 mod areas;
 mod beside;
+mod cells;
 mod colour;
 mod dashes;
 mod declarations;

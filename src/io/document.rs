@@ -45,9 +45,9 @@ impl Read {
 pub struct ReadOptions {
     /// The y of the file points down: negate it. That of grid maps is known to, and negated without this.
     pub y_down: bool,
-    /// Drop rings of GeoJSON, TopoJSON and well-known text that enclose nothing, with a note, instead of refusing them: those with fewer
-    /// than three distinct points, and those whose points all lie on one line, decided exactly. An outer ring takes its
-    /// polygon with it.
+    /// Drop rings of GeoJSON, TopoJSON and well-known text that enclose nothing, with a note, instead of refusing them: those
+    /// with fewer than three distinct points, and those whose points all lie on one line, decided exactly. An outer ring takes
+    /// its polygon with it.
     pub drop_degenerate_rings: bool,
     /// With the same, let an outer ring go by itself, for [`LoadOptions::mend`](super::LoadOptions::mend): the other rings
     /// of its polygon stay, behind an outer ring without corners, and [`mend_polygons`] takes them as outlines.

@@ -79,6 +79,18 @@ pub struct Loaded {
     pub places: Option<Places>,
 }
 
+impl Loaded {
+    /// What comes of a file that is no list of polygons.
+    fn without_places(
+        structure: Structure,
+        names: FaceMap<Option<String>>,
+        notes: Vec<String>,
+        format: Format,
+    ) -> Self {
+        Self { structure, names, covering: None, notes, left_out: LeftOut::default(), format, places: None }
+    }
+}
+
 /// Reads a file and makes a structure of it; `-` is standard input.
 ///
 /// Cost: that of the reader and of the builder, about linear; O(n log n) for tables and for the full check.
@@ -123,30 +135,14 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
-            return Ok(Loaded {
-                structure,
-                names,
-                covering: None,
-                notes,
-                left_out: LeftOut::default(),
-                format,
-                places: None,
-            });
+            return Ok(Loaded::without_places(structure, names, notes, format));
         }
         Document::Columns(mut table) => {
             let names = table.names_in_plane();
             let structure = Subdivision::from_columns(&mut table)
                 .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;
             let structure = Structure::Plane(structure);
-            return Ok(Loaded {
-                structure,
-                names,
-                covering: None,
-                notes,
-                left_out: LeftOut::default(),
-                format,
-                places: None,
-            });
+            return Ok(Loaded::without_places(structure, names, notes, format));
         }
         Document::Table(table) => {
             let structure = Subdivision::from_table(&table)
@@ -157,15 +153,7 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
                 names.swap(0, outer.index());
             }
             let structure = Structure::Plane(structure);
-            return Ok(Loaded {
-                structure,
-                names: names.into(),
-                covering: None,
-                notes,
-                left_out: LeftOut::default(),
-                format,
-                places: None,
-            });
+            return Ok(Loaded::without_places(structure, names.into(), notes, format));
         }
     };
     let mode = options.mode.unwrap_or(if soup.has_z { Mode::Surface } else { Mode::Plane });

@@ -67,15 +67,17 @@ impl PointList {
 ///
 /// The format, or the end of the name, or the first bytes tell how: of formats with polygons, segments or tables the
 /// points are taken, and z is dropped; a `.node` file may stand alone. GeoJSON, TopoJSON and well-known text give their
-/// points and the corners of their lines and polygons; corners that are written several times are taken once. All other
-/// files are plain text, as above. y points up in the result, see [`ReadOptions::y_down`].
+/// points and the corners of their lines and polygons; corners that are written several times are taken once, and a ring
+/// need not end where it starts. All other files are plain text, as above. y points up in the result, see
+/// [`ReadOptions::y_down`].
 ///
 /// # Errors
 /// [`ReadError`] with the place of the first problem.
 pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, ReadError> {
     let source = source_name(path);
     let mut blocks = open(path, &source)?;
-    let options = &ReadOptions { outlines: true, ..options.clone() };
+    // Where a ring ends is nothing to its corners.
+    let options = &ReadOptions { outlines: true, close_rings: true, ..options.clone() };
     let format = format_of(path, &mut blocks, options)?;
     let is_node = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("node"));
     let mut list = match format {

@@ -8,6 +8,7 @@
 //!      ●───────●───────●
 //! ```
 
+use crate::geometry::grouping::Joined;
 use crate::plane::{ArrangeOptions, Point, SegmentFault, SegmentsError, Subdivision};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -22,19 +23,18 @@ pub(super) fn closed_chain(rings: &[Vec<Point>]) -> Option<Chain> {
     let touches = touches(rings);
     // Nodes: the rings, then the places.
     let mut joined: Vec<Vec<u32>> = vec![Vec::new(); rings.len() + touches.len()];
-    let mut set: Vec<u32> = (0..joined.len() as u32).collect();
+    let mut sets = Joined::none(joined.len());
     for (i, (_, with)) in touches.iter().enumerate() {
         let place = (rings.len() + i) as u32;
         for &ring in with {
-            let [a, b] = [ring, place].map(|node| root(&mut set, node));
-            if a == b {
+            if sets.root(ring) == sets.root(place) {
                 let way = way(&joined, ring, place);
-                let (rings_on, places_on) = way.into_iter().partition(|&node| (node as usize) < rings.len());
-                let places: Vec<u32> = places_on;
+                let (rings_on, places): (Vec<u32>, Vec<u32>) =
+                    way.into_iter().partition(|&node| (node as usize) < rings.len());
                 let places = places.into_iter().map(|node| touches[node as usize - rings.len()].0).collect();
                 return Some(Chain { rings: rings_on, places });
             }
-            set[a as usize] = b;
+            sets.join(ring, place);
             joined[ring as usize].push(place);
             joined[place as usize].push(ring);
         }
@@ -67,15 +67,6 @@ fn touches(rings: &[Vec<Point>]) -> Vec<(Point, BTreeSet<u32>)> {
         }
     }
     at.into_values().filter(|(_, with)| with.len() > 1).collect()
-}
-
-/// The node that stands for the set of a node.
-fn root(set: &mut [u32], mut node: u32) -> u32 {
-    while set[node as usize] != node {
-        set[node as usize] = set[set[node as usize] as usize];
-        node = set[node as usize];
-    }
-    node
 }
 
 /// The nodes on the way from one node to another in a forest, both included.

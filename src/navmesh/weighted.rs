@@ -27,7 +27,7 @@ pub(super) struct Cells {
     has: Vec<[u32; 2]>,
     costs: Vec<f64>,
     /// From node to node, for a price.
-    reduced_bfs: BTreeMap<u32, Vec<(u32, f64)>>,
+    jumps: BTreeMap<u32, Vec<(u32, f64)>>,
 }
 
 impl Cells {
@@ -61,7 +61,7 @@ impl Cells {
 
     /// A way from one node to another.
     pub(super) fn jump(&mut self, [from, to]: [u32; 2], cost: f64) {
-        self.reduced_bfs.entry(from).or_default().push((to, cost));
+        self.jumps.entry(from).or_default().push((to, cost));
     }
 
     /// What it costs to get from a node to each node, as far as it is no more than `limit`; infinite beyond.
@@ -102,7 +102,7 @@ impl Cells {
                     reach(other, here + self.costs[cell as usize] * distance(a, b));
                 }
             }
-            for &(other, cost) in self.reduced_bfs.get(&node).into_iter().flatten() {
+            for &(other, cost) in self.jumps.get(&node).into_iter().flatten() {
                 reach(other, here + cost);
             }
         }

@@ -129,6 +129,13 @@ fn points_of_maps_are_points() {
     assert!(told.err.contains("points that repeat earlier ones, 1: "), "{told:?}");
     assert_eq!(told.json()["points"], json!(6));
     assert_eq!(folder.dcel("delaunay garden.json --json").json()["points"], json!(11));
+    // Corners are corners, wherever their ring ends.
+    folder.write("open.wkt", "POLYGON((0 0,1 0,1 1))\n");
+    folder.write("open.geojson", r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]}"#);
+    for file in ["open.wkt", "open.geojson"] {
+        assert_eq!(folder.dcel(&format!("delaunay {file} --json")).json()["points"], json!(3), "{file}");
+        folder.dcel(&format!("info {file}")).fails(2, "does not end where it starts", "--mend");
+    }
 }
 
 /// Of several objects one is read, and that is said whatever they hold.
