@@ -134,7 +134,7 @@ fn points_of_maps_are_points() {
     folder.write("open.geojson", r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]}"#);
     for file in ["open.wkt", "open.geojson"] {
         assert_eq!(folder.dcel(&format!("delaunay {file} --json")).json()["points"], json!(3), "{file}");
-        folder.dcel(&format!("info {file}")).fails(2, "does not end where it starts", "--mend");
+        folder.dcel(&format!("info {file}")).fails(2, "the ring starts at (0, 0) and ends at (1, 1)", "--mend");
     }
 }
 
