@@ -172,7 +172,7 @@ impl InputOptions {
                 "--trust",
                 self.trust && !(polygons && plane),
                 match (segments, polygons) {
-                    (true, _) => "segments are split or refused, never believed",
+                    (true, _) => "there are no polygons in it, and segments are always checked",
                     (_, true) => "it is for polygons in the plane",
                     _ => "a table is checked while it becomes a structure",
                 },

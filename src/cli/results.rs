@@ -27,7 +27,7 @@ pub(crate) struct Results {
     #[command(flatten)]
     crop: Crop,
     /// Answer in JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long)]
     json: bool,
 }
 

@@ -37,6 +37,16 @@ pub(super) struct Beside {
     pub(super) small: usize,
 }
 
+/// What is left out that is called so.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Called {
+    Nothing,
+    /// What stands in a legend.
+    Legend,
+    /// That, and what is called an axis.
+    Any,
+}
+
 /// What may be left out of a drawing.
 #[derive(Clone, Debug)]
 pub(super) struct Trim {
@@ -44,8 +54,8 @@ pub(super) struct Trim {
     pub(super) border: Vec<bool>,
     /// Lines of a frame that touches what it holds: they are left out if they go beyond that.
     pub(super) tight: Vec<bool>,
-    /// Whether things are left out that are called legend or axis.
-    pub(super) aside: bool,
+    /// What is left out by its name.
+    pub(super) called: Called,
     /// The edges of the reference, of which legends have to lie clear.
     pub(super) edges: Vec<[Point; 2]>,
 }
@@ -53,14 +63,32 @@ pub(super) struct Trim {
 impl Trim {
     pub(super) fn nothing(drawing: &Drawing) -> Self {
         let none = vec![false; drawing.lines.len()];
-        Self { border: none.clone(), tight: none, aside: false, edges: Vec::new() }
+        Self { border: none.clone(), tight: none, called: Called::Nothing, edges: Vec::new() }
+    }
+
+    /// Legends alone.
+    pub(super) fn legends(drawing: &Drawing, edges: Vec<[Point; 2]>) -> Self {
+        Self { called: Called::Legend, edges, ..Self::nothing(drawing) }
     }
 
     /// Whether anything would be left out.
     pub(super) fn is_any(&self, drawing: &Drawing) -> bool {
-        let aside = drawing.lines.iter().any(|line| line.aside) || drawing.dots.iter().any(|dot| dot.aside);
-        let aside = aside || drawing.outlines.iter().any(|outline| outline.legend > 0);
-        self.aside && aside || self.border.contains(&true) || self.tight.contains(&true)
+        let axis = || drawing.lines.iter().any(|line| line.aside) || drawing.dots.iter().any(|dot| dot.aside);
+        let called = match self.called {
+            Called::Nothing => false,
+            Called::Legend => drawing.has_legend(),
+            Called::Any => drawing.has_legend() || axis(),
+        };
+        called || self.border.contains(&true) || self.tight.contains(&true)
+    }
+
+    /// Whether something with these marks may be left out.
+    pub(super) fn may_leave_out(&self, aside: bool, legend: u32) -> bool {
+        match self.called {
+            Called::Nothing => false,
+            Called::Legend => legend > 0,
+            Called::Any => aside,
+        }
     }
 
     /// Everything that may be left out.
@@ -84,7 +112,7 @@ impl Trim {
                 *tight |= frame.runs_along(line.ends, slack);
             }
         }
-        Self { border, tight, aside: true, edges }
+        Self { border, tight, called: Called::Any, edges }
     }
 }
 

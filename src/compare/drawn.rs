@@ -187,22 +187,23 @@ impl<'a> Target<'a> {
     fn place(&self, drawing: &Drawing) -> Result<Placing, Fault> {
         let (search, all, core) = self.search(drawing);
         let expected = &self.sketch.graph;
-        let edges = expected.edges.iter().map(|edge| edge.map(|v| expected.point(v))).collect();
-        let trim = Trim::all(drawing, edges);
-        let nothing = Trim::nothing(drawing);
-        let mut ways = vec![(&nothing, all.as_slice(), core.as_slice())];
-        let (mut few, mut inner) = (Vec::new(), Vec::new());
-        if trim.is_any(drawing) {
+        let edges: Vec<[Point; 2]> = expected.edges.iter().map(|&edge| expected.ends(edge)).collect();
+        let mut ways = vec![(Trim::nothing(drawing), all, core)];
+        // Axes may be part of what the reference draws, where legends are not.
+        for trim in [Trim::legends(drawing, edges.clone()), Trim::all(drawing, edges)] {
+            if !trim.is_any(drawing) {
+                continue;
+            }
             let frames = trim.border.iter().zip(&trim.tight).map(|(border, tight)| *border || *tight);
-            let lines = drawing.lines.iter().zip(frames).filter(|(line, frame)| !frame && !line.aside);
-            few.extend(lines.flat_map(|(line, _)| line.ends));
-            let dots = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.at);
-            inner.extend(dots);
-            few.extend(&inner);
+            let lines = drawing.lines.iter().zip(frames);
+            let lines = lines.filter(|(line, frame)| !frame && !trim.may_leave_out(line.aside, line.legend));
+            let dots = drawing.dots.iter().filter(|dot| !trim.may_leave_out(dot.aside, dot.legend));
+            let mut inner: Vec<Point> = dots.map(|dot| dot.at).collect();
+            let few: Vec<Point> = lines.flat_map(|(line, _)| line.ends).chain(inner.iter().copied()).collect();
             if inner.len() < 2 {
                 inner.clone_from(&few);
             }
-            ways.push((&trim, &few, &inner));
+            ways.push((trim, few, inner));
         }
         let mut best: Option<(Placing, &Trim)> = None;
         for (trim, all, core) in &ways {
@@ -214,7 +215,7 @@ impl<'a> Target<'a> {
         }
         let Some((mut out, trim)) = best else { return Err(Problem::Nothing.into()) };
         if out.matched.faults() > 1 && expected.points.len() <= TURNED {
-            let (_, all, core) = ways[ways.len() - 1];
+            let (_, all, core) = &ways[ways.len() - 1];
             let upright = self.faults(&out);
             let mut fewest = upright;
             for frame in search.others(all, core, &out.best) {
@@ -511,6 +512,10 @@ impl Critic<'_> {
         if beside.aside > 0 {
             let what = counted(beside.aside, "line or circle", "lines and circles");
             self.notes.push(format!("not compared: {what} of a legend or an axis"));
+        }
+        if beside.small > 0 {
+            let what = counted(beside.small, "small area that touches", "small areas that touch");
+            self.notes.push(format!("not compared: {what} no vertex"));
         }
         let known = |edge: &[u32; 2]| {
             let [a, b] = edge.map(|m| self.matched.to_expected[m as usize]);

@@ -319,13 +319,16 @@ impl File {
                 differences.extend(contradiction(table, &found.drawing, options));
             }
             let layer = layer(&differences, Layer::Drawn);
-            let agreed = format!("{} of {} edges agree", seen.agreed.0, seen.agreed.1);
+            let agreed = agreed_edges(seen.agreed);
             return Ok(self.answer(layer, target, differences, notes, agreed, student));
         };
         let declared = tables::compare(mine, theirs, options);
         notes.extend(declared.notes.iter().cloned());
+        let edges = seen.agreed;
         let (layer, differences) = merged(declared.differences, seen, &mut notes);
-        Ok(self.answer(layer, target, differences, notes, agreed(declared.agreed), student))
+        // What agrees is counted where the answer was found.
+        let agreed = if layer == Layer::Drawn { agreed_edges(edges) } else { agreed(declared.agreed) };
+        Ok(self.answer(layer, target, differences, notes, agreed, student))
     }
 
     fn answer(
@@ -399,6 +402,10 @@ pub fn compare_tables(expected: &Table, actual: &Table, options: &Options) -> Co
 
 fn agreed((right, all): (usize, usize)) -> String {
     format!("{right} of {all} half-edges agree")
+}
+
+fn agreed_edges((right, all): (usize, usize)) -> String {
+    format!("{right} of {all} edges agree")
 }
 
 /// The picture of what differs between two structures with positions: see [`Comparison::figure`].

@@ -9,7 +9,7 @@
 //! The reference is cut at its own points; the student's drawing, once it is in the coordinates of the reference, at
 //! the points of the reference. So a further dot on an edge is one fault, and not three.
 
-use super::beside::{Area, Beside, Extent, Trim, kind};
+use super::beside::{Area, Beside, Called, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
 use super::error::{Fault, Problem};
 use super::frame::Frame;
@@ -105,7 +105,16 @@ impl Sketch {
         let mut visible = drawing.clone();
         visible.lines.retain(|line| line.hidden.is_none());
         visible.dots.retain(|dot| dot.hidden.is_none());
-        let mut out = Self::read(&visible, &Frame::IDENTITY, &[], tolerance, &Trim::nothing(drawing))?;
+        let read = |drawing: &Drawing| Self::read(drawing, &Frame::IDENTITY, &[], tolerance, &Trim::nothing(drawing));
+        if drawing.has_legend() {
+            let mut rest = visible.clone();
+            rest.take_out(|legend| legend > 0);
+            let graph = read(&rest)?.graph;
+            let edges: Vec<[Point; 2]> = graph.edges.iter().map(|&edge| graph.ends(edge)).collect();
+            let legends = legends::clear(drawing, &Frame::IDENTITY, &graph.points, &edges);
+            visible.take_out(|legend| legends.contains(&legend));
+        }
+        let mut out = read(&visible)?;
         out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
         Ok(out)
     }
@@ -140,9 +149,12 @@ impl Sketch {
         let mut snap = Snap::new(expected, tolerance);
         let mut beside = Beside::default();
         let around = Extent::around(if expected.is_empty() { drawing.points().collect() } else { expected.to_vec() });
-        let legends = if trim.aside { legends::clear(drawing, frame, expected, &trim.edges) } else { BTreeSet::new() };
+        let legends = match trim.called {
+            Called::Nothing => BTreeSet::new(),
+            Called::Legend | Called::Any => legends::clear(drawing, frame, expected, &trim.edges),
+        };
         let is_beside = |aside: bool, legend: u32, points: &[Point]| {
-            trim.aside && aside && (legends.contains(&legend) || around.is_clear_of(points))
+            trim.may_leave_out(aside, legend) && (legends.contains(&legend) || around.is_clear_of(points))
         };
         let mut dots: BTreeMap<u32, (Result<(), Option<Hidden>>, f64)> = BTreeMap::new();
         for dot in &drawing.dots {
@@ -167,7 +179,7 @@ impl Sketch {
             {
                 beside.border += 1;
             } else if is_beside(line.aside, line.legend, &ends)
-                || trim.aside && line.aside && (around.is_crossed_by(ends) || around.is_left_by(ends))
+                || trim.called == Called::Any && line.aside && (around.is_crossed_by(ends) || around.is_left_by(ends))
             {
                 beside.aside += 1;
             } else if labels.contains(&line.shape) {

@@ -57,7 +57,14 @@ fn wrong_inputs_and_targets_are_refused() {
     folder.dcel("build house.segments -o house.wkt").fails(2, "wkt", "");
     folder.dcel("build house.segments --figure no/where.svg").fails(3, "cannot be written", "directory first");
     folder.dcel("build house.segments --from wkt").fails(2, "house.segments:1:", "");
-    folder.dcel("build house.segments --json -o x.dcel").fails(2, "cannot be used with", "");
+    let both = "build house.segments --json -o";
+    folder.dcel(&format!("{both} -")).fails(
+        2,
+        "-o - and --json would both be written to standard output",
+        "name a file",
+    );
+    assert_eq!(folder.dcel(&format!("{both} x.dcel")).json(), folder.dcel("build house.segments --json").json());
+    assert_eq!(folder.read("x.dcel"), folder.dcel("build house.segments -o -").fine());
     folder.dcel("build missing.wkt").fails(2, "missing.wkt: cannot be read", "check the name");
     // Polygons of GeoJSON count by their outlines.
     let report = folder.dcel("build garden.json --json").json();

@@ -150,6 +150,20 @@ pub(in crate::compare) struct Drawing {
 }
 
 impl Drawing {
+    /// Whether anything stands in a legend.
+    pub(in crate::compare) fn has_legend(&self) -> bool {
+        self.lines.iter().any(|line| line.legend > 0)
+            || self.dots.iter().any(|dot| dot.legend > 0)
+            || self.outlines.iter().any(|outline| outline.legend > 0)
+    }
+
+    /// Takes out what stands in some legends, by their numbers; 0 is none.
+    pub(in crate::compare) fn take_out(&mut self, is_out: impl Fn(u32) -> bool) {
+        self.lines.retain(|line| !is_out(line.legend));
+        self.dots.retain(|dot| !is_out(dot.legend));
+        self.outlines.retain(|outline| !is_out(outline.legend));
+    }
+
     /// Reads a document. O(size), up to the caps.
     pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
         let css = root::style_sheets(document)?;

@@ -242,7 +242,9 @@ impl Exact {
         }
         if let Some(Some(root)) = endpoint.root {
             let limit = (beam.node.root, difference(beam.root, at));
-            self.see_from(behind, side, root, limited.map(|limited| limited.then_some(limit)));
+            // Not by `map` of the array: such calls are not always inlined, and this is the innermost loop.
+            let [right, left] = limited;
+            self.see_from(behind, side, root, [right.then_some(limit), left.then_some(limit)]);
         }
     }
 

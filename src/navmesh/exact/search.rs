@@ -223,7 +223,8 @@ impl Exact {
     fn enqueue_near<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, limit: f64) {
         for beam in &self.found {
             let [right, left] = beam.endpoints;
-            let ends = seen(beam).map(|t| between(right, left, t));
+            let [low, high] = seen(beam);
+            let ends = [between(right, left, low), between(right, left, high)];
             let nearest = beam.node.length + distance(beam.root, closest_on(ends, beam.root));
             if nearest <= limit && !self.is_outdone_by_endpoint(rooms, scratch, beam) {
                 scratch.push(nearest, self.nodes.len() as u32);
@@ -291,7 +292,7 @@ impl Exact {
 #[inline]
 fn endpoints<R: Rooms>(rooms: &R, portal: u32) -> [Point; 2] {
     let (range, first) = rooms.enter(portal);
-    [first, rooms.prev(&range, first)].map(|s| rooms.place(s))
+    [rooms.place(first), rooms.place(rooms.prev(&range, first))]
 }
 
 impl Planner {

@@ -240,22 +240,25 @@ fn a_corner_on_a_straight_side_of_a_face_is_no_corner() {
     says(&drawn(line, dot, bent), "is no face of the reference");
 }
 
+/// A drawing with a legend whose corner is here.
+fn with_legend(drawing: &str, [x, y]: P, name: &str) -> String {
+    let (right, low) = (x + 40.0, y + 20.0);
+    let inside = format!(
+        "<g {name}><polygon points=\"{x},{y} {right},{y} {right},{low} {x},{low}\" fill=\"white\" stroke=\"#ccc\"/>\
+         <line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"black\"/><circle cx=\"{}\" cy=\"{}\" r=\"3\"/></g>",
+        x + 4.0,
+        y + 5.0,
+        x + 16.0,
+        y + 5.0,
+        x + 10.0,
+        y + 14.0
+    );
+    drawing.replacen("</svg>", &format!("{inside}</svg>"), 1)
+}
+
 #[test]
 fn a_legend_may_stand_in_a_free_corner_of_the_drawing() {
-    let legend = |x: f64, y: f64, name: &str| {
-        let (right, low) = (x + 40.0, y + 20.0);
-        let inside = format!(
-            "<g {name}><polygon points=\"{x},{y} {right},{y} {right},{low} {x},{low}\" fill=\"white\" stroke=\"#ccc\"/>\
-             <line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"black\"/><circle cx=\"{}\" cy=\"{}\" r=\"3\"/></g>",
-            x + 4.0,
-            y + 5.0,
-            x + 16.0,
-            y + 5.0,
-            x + 10.0,
-            y + 14.0
-        );
-        plain().replacen("</svg>", &format!("{inside}</svg>"), 1)
-    };
+    let legend = |x: f64, y: f64, name: &str| with_legend(&plain(), [x, y], name);
     let [x, y] = FREE;
     equal(&legend(x, y, "id=\"legend_1\""));
     equal(&legend(x, y, "class=\"my legend\""));
@@ -263,6 +266,24 @@ fn a_legend_may_stand_in_a_free_corner_of_the_drawing() {
     // Over an edge, it is no part of its corner.
     let [a, b] = Pen::canvas(Pen::new(&ship()).dots[12]);
     assert!(!judge(&plain(), &legend(a - 9.0, b - 9.0, "id=\"legend_1\"")).is_equal());
+}
+
+#[test]
+fn where_axes_are_part_of_the_reference_legends_are_not() {
+    let axes =
+        "<g id=\"matplotlib.axis_1\"><path d=\"M10 10H590V390H10ZM10 200H30\" fill=\"none\" stroke=\"black\"/></g>";
+    let framed = plain().replacen("</svg>", &format!("{axes}</svg>"), 1);
+    let keyed = with_legend(&framed, FREE, "id=\"legend_1\"");
+    for [reference, student] in [[&framed, &keyed], [&keyed, &framed], [&keyed, &format!("{keyed} ")]] {
+        let answer = judge(reference, student);
+        assert!(answer.is_equal(), "{}", answer.text());
+    }
+    // Nothing else is left out with it.
+    for less in ["H590", "V390", "ZM10 200H30"] {
+        let student = keyed.replacen(less, "", 1);
+        assert!(keyed != student && !judge(&framed, &student).is_equal(), "{less}");
+        assert!(!judge(&student, &framed).is_equal(), "{less}");
+    }
 }
 
 /// A corner of the drawing where a legend covers nothing.
