@@ -208,15 +208,9 @@ fn names(a: &Subject, b: &Subject, both: &Overlay) -> FaceMap<Option<String>> {
 fn tell_rounding(both: &Overlay) {
     let furthest = both.moved.iter().map(|&(_, by)| by).fold(0.0, f64::max);
     if !both.moved.is_empty() {
-        let (count, all) = (both.moved.len(), both.crossings.len());
-        say(
-            "note",
-            format_args!(
-                "{count} of {} rounded to doubles, by {} at most",
-                counted(all, "crossing is", "crossings are"),
-                Number(furthest)
-            ),
-        );
+        let crossings = counted(both.moved.len(), "crossing was", "crossings were");
+        let onto = if both.grid.is_some() { "the grid" } else { "doubles" };
+        say("note", format_args!("{crossings} rounded to {onto}, by {} at most", Number(furthest)));
     }
     if let Some(grid) = both.grid {
         say("note", on_grid(grid, both.displaced_points, &both.displaced, both.farthest));

@@ -1,8 +1,9 @@
 //! Files that a command writes: which it may write, and how.
 
-use super::failure::is_json_wanted;
+use super::failure::{is_json_wanted, say};
 use super::{Failure, Output};
 use dcel_kit::files::{WholeFolder, is_same_file, is_standard_input, write_whole};
+use dcel_kit::io::stl::rounding;
 use dcel_kit::io::{Format, Model, write, write_path};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -150,7 +151,9 @@ pub(crate) fn save_as(
     model: &Model<'_>,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let written = match format.or_else(|| Format::from_path(path)) {
+    let format = format.or_else(|| Format::from_path(path));
+    let rounded = rounding(model, format.unwrap_or(usual));
+    let written = match format {
         format if path.as_os_str() == "-" => write(out, model, format.unwrap_or(usual)),
         Some(format) => write_path(path, model, format),
         None => {
@@ -158,7 +161,9 @@ pub(crate) fn save_as(
             return Err(Failure::input(what, help));
         }
     };
-    written.map_err(|error| Failure::of_writing(path, error))
+    written.map_err(|error| Failure::of_writing(path, error))?;
+    rounded.iter().for_each(|note| say("note", note));
+    Ok(())
 }
 
 /// Makes a folder with these files, by their paths in it. One that exists must be empty: nothing is ever written over. The

@@ -81,6 +81,9 @@ In the plane: rectangle | polygon X Y X Y ... | triangles X Y ... / I J K ...
 torus | ring N | surface N / I J K ... / ...
 {}In space: solid cube (or another of Plato's five) | mesh X Y Z ... / I J K ... / ...
 {}
+An edit of the plane checks the faces that it touches, corner by corner: many edits of
+one large face take the square of their number.
+
 Examples:
   dcel script lab.dcels
   dcel script lab.dcels --json

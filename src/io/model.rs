@@ -2,6 +2,7 @@
 
 use super::format::Format;
 use super::write_error::WriteError;
+use crate::geometry::grouping::Groups;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
 use crate::plane::cycle::encloses;
 use crate::plane::{PlanarView, Point};
@@ -166,6 +167,29 @@ fn check_edges(model: &Model<'_>, format: Format) -> Result<(), WriteError> {
                 return Err(WriteError::SameFaceTwice { half_edge: h, face: a, format: format.name() });
             }
             _ => {}
+        }
+    }
+    // In the plane, straight edges with the same ends would lie over each other.
+    if model.in_space { check_ends(model, format) } else { Ok(()) }
+}
+
+/// Refuses two edges with the same ends. O(E log d), with d the most edges at a vertex.
+fn check_ends(model: &Model<'_>, format: Format) -> Result<(), WriteError> {
+    let ends = |h: HalfEdgeId| {
+        let [a, b] = [Some(h), model.view.twin(h)].map(|h| h.and_then(|h| model.view.origin(h)));
+        a.zip(b).map(|(a, b)| (a.min(b), a.max(b))).filter(|(a, _)| a.index() < model.view.vertex_bound())
+    };
+    let edges =
+        (0..model.view.half_edge_bound() as u32).step_by(2).filter(|&h| model.view.has_half_edge(HalfEdgeId(h)));
+    let pairs = edges.filter_map(|h| ends(HalfEdgeId(h)).map(|(a, _)| (a.index(), h)));
+    let mut by_vertex = Groups::new(model.view.vertex_bound(), pairs);
+    for v in 0..model.view.vertex_bound() {
+        let here = by_vertex.of_mut(v);
+        here.sort_unstable_by_key(|&h| (ends(HalfEdgeId(h)), h));
+        let same = here.windows(2).find(|pair| ends(HalfEdgeId(pair[0])) == ends(HalfEdgeId(pair[1])));
+        if let Some(pair) = same {
+            let edges = [pair[0], pair[1]].map(|h| HalfEdgeId(h).edge());
+            return Err(WriteError::EdgeTwice { edges, format: format.name() });
         }
     }
     Ok(())

@@ -24,6 +24,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::soup::{SegmentSoup, SoupBuilder};
 use super::text::Scanner;
 use super::triangle::{File, SYNTAX, attributes, no_more, nodes, optional_count, points, record};
+use super::words::counted;
 use crate::plane::Point;
 
 /// Reads a file, with the `.node` file beside it if there is one. O(length).
@@ -58,7 +59,12 @@ pub(super) fn read(poly: File<'_>, node: Option<File<'_>>) -> Result<Read, ReadE
         }
         no_more(&mut scanner, "regions", count)?;
         if count > 0 {
-            notes.push(format!("{count} regional attributes were left out"));
+            let attributes = counted(
+                usize::try_from(count).unwrap_or(usize::MAX),
+                "regional attribute was",
+                "regional attributes were",
+            );
+            notes.push(format!("{attributes} left out"));
         }
     }
     Ok(Read { document: Document::Segments(soup.checked()?), notes, format: Format::Poly })

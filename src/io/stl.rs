@@ -18,19 +18,20 @@
 //! A file is binary if its length is what the count says, whatever its first word.
 //!
 //! Written as text, or as binary in single precision: then each coordinate is rounded to the nearest single, and
-//! a structure with two points that become one is refused, for it would come back as another one. Faces with more corners are cut into triangles from their first corner; faces for which that is
-//! wrong, because they are not convex, are refused.
+//! a structure in which two points become one, or a triangle is flat or turned over then, is refused, for it would come
+//! back as another one, or not at all. Faces with more corners are cut into triangles from their first corner; faces for
+//! which that is wrong, because they are not convex, are refused.
 //!
 //! Source: 3D Systems, *StereoLithography Interface Specification*, 1988.
 
 use super::document::{Document, Read};
 use super::format::Format;
-use super::model::Polygons;
+use super::model::{Model, Polygons};
 use super::problem::{ReadError, ReadProblem};
 use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
-use super::words::counted;
+use super::words::{at_most, counted};
 use super::write_error::WriteError;
 use crate::geometry::number::Number;
 use crate::geometry::places::first_of_equals;
@@ -62,18 +63,39 @@ pub(super) fn length_of_binary(start: &[u8]) -> Option<u64> {
 /// Reads an STL file, text or binary. O(n log n), for finding equal corners.
 pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
     let starts_solid = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
-    let corners = if is_binary(bytes) {
-        binary(bytes, source)?
-    } else if starts_solid || bytes.len() < HEAD {
-        text(bytes, source)?
-    } else {
-        let inside = format!("the triangles: {} bytes are not what the count says", bytes.len());
-        let help = "the file is neither text nor a whole binary file";
-        return Err(ReadError::whole(source, ReadProblem::Truncated { inside }, help));
-    };
     let mut notes = Vec::new();
+    // A binary file may begin with that word, too; text holds no zeros.
+    let is_text = bytes.len() < HEAD || starts_solid && !is_binary(bytes) && !bytes.contains(&0);
+    let corners = if is_text { text(bytes, source)? } else { binary(whole(bytes, source, &mut notes)?, source)? };
     let soup = join(&corners, &mut notes).finish(source, true)?;
     Ok(Read { document: Document::Polygons(soup), notes, format: Format::Stl })
+}
+
+/// A binary file up to the end of its triangles. Notes more than its count says: whole triangles are taken, other bytes
+/// are not.
+///
+/// # Errors
+/// If there are fewer triangles than it says.
+fn whole<'a>(bytes: &'a [u8], source: &str, notes: &mut Vec<String>) -> Result<&'a [u8], ReadError> {
+    let said = length_of_binary(bytes).map_or(0, |length| ((length - HEAD as u64) / TRIANGLE as u64) as usize);
+    let (there, rest) = ((bytes.len() - HEAD) / TRIANGLE, (bytes.len() - HEAD) % TRIANGLE);
+    if there < said {
+        let bytes = bytes.len();
+        let inside = format!("triangle {there} of {said}, counted from 0: {bytes} bytes are not what the count says");
+        let help = "the file was cut off, or is no STL file: get it again";
+        return Err(ReadError::whole(source, ReadProblem::Truncated { inside }, help));
+    }
+    if rest > 0 {
+        let left_out = counted(bytes.len() - HEAD - said * TRIANGLE, "byte", "bytes");
+        let are = counted(said, "triangle that is", "triangles that are");
+        notes.push(format!("{left_out} behind the {are} counted were left out"));
+        return Ok(&bytes[..HEAD + said * TRIANGLE]);
+    }
+    if there > said {
+        let says = counted(said, "triangle", "triangles");
+        notes.push(format!("the file counts {says} and holds {there}: all were read"));
+    }
+    Ok(bytes)
 }
 
 /// Three corners for each triangle, each with its line; 0 where lines mean nothing.
@@ -252,6 +274,13 @@ pub(super) fn write_binary(out: &mut impl Write, polygons: &Polygons) -> Result<
             return Err(WriteError::TooClose { points: [other, point] });
         }
     }
+    for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
+        let [given, rounded] = [&polygons.points, &singles]
+            .map(|points| fans(cycle).map(|triangle| normal(triangle.map(|corner| points[corner as usize]))));
+        if given.zip(rounded).any(|(given, rounded)| dot(given, rounded) <= 0.0) {
+            return Err(WriteError::Folded { face });
+        }
+    }
     let count: usize = polygons.list.outer_cycles().map(|cycle| cycle.len() - 2).sum();
     let mut head = [0; HEAD];
     head[..HEAD - 4].fill(b' ');
@@ -265,6 +294,21 @@ pub(super) fn write_binary(out: &mut impl Write, polygons: &Polygons) -> Result<
         out.write_all(&[0; 2])?;
     }
     Ok(())
+}
+
+/// What a format rounds of the positions of a model, in a sentence: binary STL holds them in single precision. O(V).
+#[must_use]
+pub fn rounding(model: &Model<'_>, format: Format) -> Option<String> {
+    if format != Format::StlBinary {
+        return None;
+    }
+    let off = |x: f64| (f64::from(x as f32) - x).abs();
+    let offs = model.vertices().filter_map(|v| model.position(v)).map(|p| p.map(off).into_iter().fold(0.0, f64::max));
+    let (mut count, mut most) = (0, 0.0_f64);
+    offs.filter(|&off| off > 0.0).for_each(|off| (count, most) = (count + 1, most.max(off)));
+    let points = counted(count, "point was", "points were");
+    let told = || format!("{points} rounded to single precision, none further than {} in x, y or z", at_most(most));
+    (count > 0).then(told)
 }
 
 /// The triangles from the first corner of a cycle.

@@ -7,6 +7,7 @@ use super::dcel::quote;
 use super::format::Format;
 use super::model::{Model, Polygons};
 use super::names::{Pointer, RingName};
+use super::words::counted;
 use super::write_error::WriteError;
 use super::{mesh, stl, tables};
 use crate::files::WholeFile;
@@ -139,7 +140,8 @@ fn points(out: &mut impl Write, before: &str, points: &[[f64; 3]]) -> io::Result
 
 fn obj(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
     // Without this line a drawing of nothing would be an empty file, which no reader takes.
-    writeln!(out, "# {} points, {} polygons", polygons.points.len(), polygons.faces.len())?;
+    let points_there = counted(polygons.points.len(), "point", "points");
+    writeln!(out, "# {points_there}, {}", counted(polygons.faces.len(), "polygon", "polygons"))?;
     points(out, "v ", &polygons.points)?;
     for cycle in polygons.list.outer_cycles() {
         write!(out, "f")?;

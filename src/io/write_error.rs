@@ -1,7 +1,7 @@
 //! Why a structure cannot be written in a format.
 
 use crate::geometry::number::Number;
-use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use std::{fmt, io};
 
 /// Why a structure cannot be written in a format.
@@ -85,6 +85,20 @@ pub enum WriteError {
     TooClose {
         /// The two corners.
         points: [[f64; 3]; 2],
+    },
+    /// A triangle that has no area in single precision, or is turned over there, in which the format holds numbers.
+    #[error("a triangle of {face} is flat or turned over in single precision; write stl, which is text")]
+    Folded {
+        /// The face.
+        face: FaceId,
+    },
+    /// Two edges with the same ends, and a format that tells edges by their ends.
+    #[error("{} and {} join the same two vertices, which {format} cannot hold; dcel holds everything", edges[0], edges[1])]
+    EdgeTwice {
+        /// The edges.
+        edges: [EdgeId; 2],
+        /// The format.
+        format: &'static str,
     },
     /// An edge with the same face on both sides: a dangling edge, or a bridge.
     #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything")]

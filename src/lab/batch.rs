@@ -12,6 +12,8 @@
 //! size needs the memory of what was handed in and of a few reports.
 
 use super::cache::{Cache, Key, hash_of, judge_itself};
+use super::grade::{grade, suites};
+use super::judge::Suite;
 use super::sandbox::Resident;
 use super::similar::{Fingerprints, Given, THRESHOLD, alike};
 use super::submission::{
@@ -20,7 +22,6 @@ use super::submission::{
 };
 use super::{
     Barrier, Hidden, Lab, Limits, Plan, Report, Sandbox, SandboxChoice, SandboxedProgram, Similar, Stop, Verdict,
-    grade_program,
 };
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
@@ -135,6 +136,8 @@ pub struct Grader {
     similar_from: u8,
     shard: Option<(usize, usize)>,
     stop: Stop,
+    /// What is asked, and by which plan.
+    suites: Mutex<Option<(Plan, Arc<Vec<Suite>>)>>,
 }
 
 impl Grader {
@@ -180,6 +183,7 @@ impl Grader {
             similar_from,
             shard,
             stop,
+            suites: Mutex::default(),
         })
     }
 
@@ -442,9 +446,22 @@ impl Grader {
         match built {
             Built::Program(path) => {
                 let program = SandboxedProgram::new(Arc::clone(resident), &path, self.lab.manifest.limits);
-                grade_program(&self.lab, &program, plan)
+                grade(&self.lab, &program, plan, &self.suites(plan), false).0
             }
             Built::Not { verdict, message } => self.stopped(plan, verdict, message),
+        }
+    }
+
+    /// The suites of a plan: those of the last one are kept, since a class is asked by one plan.
+    fn suites(&self, plan: &Plan) -> Arc<Vec<Suite>> {
+        let mut kept = lock(&self.suites);
+        match &*kept {
+            Some((of, suites)) if of == plan => Arc::clone(suites),
+            _ => {
+                let made = Arc::new(suites(&self.lab, plan));
+                *kept = Some((plan.clone(), Arc::clone(&made)));
+                made
+            }
         }
     }
 

@@ -68,21 +68,33 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
 /// signature is empty for a right program, and for one that cannot be run, and does not depend on the seed.
 #[must_use]
 pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report, Signature) {
-    let (report, signature, _) = grade(lab, program, plan, false);
+    let (report, signature, _) = grade(lab, program, plan, &suites(lab, plan), false);
     (report, signature)
 }
 
-/// [`grade_and_sign`]; with `all`, also in which calls of all cases each test fails and in which it does not, but
-/// without what a student is shown: the search for the shortest failing case takes longer than all else.
-pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) -> (Report, Signature, Evidence) {
+/// The suites of a plan. For a lab of large structures they take longer to make than to judge: whoever asks several
+/// programs makes them once.
+pub(super) fn suites(lab: &Lab, plan: &Plan) -> Vec<Suite> {
+    lab.judge().map_or_else(Vec::new, |judge| wanted(judge.suites(plan), lab, plan))
+}
+
+/// [`grade_and_sign`] by the suites of the plan; with `all`, also in which calls of all cases each test fails and in
+/// which it does not, but without what a student is shown: the search for the shortest failing case takes longer than
+/// all else.
+pub(super) fn grade(
+    lab: &Lab,
+    program: &dyn Program,
+    plan: &Plan,
+    suites: &[Suite],
+    all: bool,
+) -> (Report, Signature, Evidence) {
     let begin = Instant::now();
     let mut report = empty_report(lab, plan, program);
     let Some(judge) = lab.judge() else {
         report.message = Some(format!("this version of the kit has no cases for {}", lab.name));
         return (report, Signature::new(), Evidence::new());
     };
-    let suites = wanted(judge.suites(plan), lab, plan);
-    let graded = run_all(lab, judge, program, &suites);
+    let graded = run_all(lab, judge, program, &suites.iter().collect::<Vec<_>>());
     for part in &graded {
         report.printed.push_str(&part.run.printed);
     }
@@ -126,35 +138,55 @@ fn summary(verdicts: impl Iterator<Item = Verdict> + Clone) -> Verdict {
     telling.or_else(|| verdicts.max()).unwrap_or(Verdict::GraderFault)
 }
 
-/// In which calls of the random cases these tests fail and in which they do not. Only suites are run that decide one of
-/// them, or what they need, or that call the same functions.
+/// The random cases of a plan, suite by suite.
 #[cfg(feature = "grade")]
-pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan, tests: &BTreeSet<&str>) -> Evidence {
-    let Some(judge) = lab.judge() else { return Evidence::new() };
-    let mut suites = judge.suites(plan);
-    let called = |suite: &Suite| -> BTreeSet<String> {
-        let steps = suite.asked.iter().flat_map(|asked| &asked.case.steps);
-        steps.filter_map(|step| function(step).map(str::to_owned)).collect()
-    };
-    let decides = |suite: &Suite, tests: &BTreeSet<&str>| suite.tests.iter().any(|test| tests.contains(test));
-    let functions: BTreeSet<String> = suites.iter().filter(|suite| decides(suite, tests)).flat_map(called).collect();
-    let needed = with_needs(lab, tests.clone());
-    suites.retain(|suite| decides(suite, &needed) || !called(suite).is_disjoint(&functions));
-    suites.iter_mut().for_each(|suite| suite.asked.retain(|asked| asked.source == Source::Random));
-    let graded = run_all(lab, judge, program, &suites);
-    Run::new(lab, judge, &graded, true).evidence(&|_| true)
+pub(super) struct RandomCases {
+    suites: Vec<Suite>,
+    /// The functions that each suite calls, in its other cases too.
+    called: Vec<BTreeSet<String>>,
+}
+
+#[cfg(feature = "grade")]
+impl RandomCases {
+    pub(super) fn of(lab: &Lab, plan: &Plan) -> Self {
+        let mut suites = suites(lab, plan);
+        let called = |suite: &Suite| -> BTreeSet<String> {
+            let steps = suite.asked.iter().flat_map(|asked| &asked.case.steps);
+            steps.filter_map(|step| function(step).map(str::to_owned)).collect()
+        };
+        let called = suites.iter().map(called).collect();
+        suites.iter_mut().for_each(|suite| suite.asked.retain(|asked| asked.source == Source::Random));
+        Self { suites, called }
+    }
+
+    /// In which calls these tests fail and in which they do not. Only suites are run that decide one of them, or what
+    /// they need, or that call the same functions.
+    pub(super) fn evidence(&self, lab: &Lab, program: &dyn Program, tests: &BTreeSet<&str>) -> Evidence {
+        let Some(judge) = lab.judge() else { return Evidence::new() };
+        let decides = |suite: &Suite, tests: &BTreeSet<&str>| suite.tests.iter().any(|test| tests.contains(test));
+        let with_called = || self.suites.iter().zip(&self.called);
+        let functions: BTreeSet<&String> =
+            with_called().filter(|(suite, _)| decides(suite, tests)).flat_map(|(_, called)| called).collect();
+        let needed = with_needs(lab, tests.clone());
+        let is_wanted = |suite: &Suite, called: &BTreeSet<String>| {
+            decides(suite, &needed) || called.iter().any(|name| functions.contains(name))
+        };
+        let suites = with_called().filter(|(suite, called)| is_wanted(suite, called)).map(|(suite, _)| suite);
+        let graded = run_all(lab, judge, program, &suites.collect::<Vec<_>>());
+        Run::new(lab, judge, &graded, true).evidence(&|_| true)
+    }
 }
 
 /// Runs the suites, several at a time where the program allows that.
 ///
 /// What comes of them is the same as one after the other: a suite that would not have been asked, or not so far, is
 /// not taken as it was run ahead.
-fn run_all<'a>(lab: &Lab, judge: &dyn Judge, program: &dyn Program, suites: &'a [Suite]) -> Vec<Graded<'a>> {
+fn run_all<'a>(lab: &Lab, judge: &dyn Judge, program: &dyn Program, suites: &[&'a Suite]) -> Vec<Graded<'a>> {
     let mut graded: Vec<Graded> = Vec::new();
     let mut exhausted = 0;
     let mut hanging: BTreeSet<String> = BTreeSet::new();
     let mut ahead = run_ahead(judge, program, suites);
-    for (suite, ahead) in suites.iter().zip(&mut ahead) {
+    for (&suite, ahead) in suites.iter().zip(&mut ahead) {
         let blocked = is_blocked(lab, suite, &graded);
         let mut steps = suite.asked.iter().flat_map(|asked| &asked.case.steps);
         let hangs = steps.find_map(|step| function(step).filter(|&function| hanging.contains(function)));
@@ -172,7 +204,7 @@ fn run_all<'a>(lab: &Lab, judge: &dyn Judge, program: &dyn Program, suites: &'a 
 }
 
 /// Suites run at the same time, until one comes to an end by time or memory; `None` for those that were not begun.
-fn run_ahead(judge: &dyn Judge, program: &dyn Program, suites: &[Suite]) -> Vec<Option<SuiteRun>> {
+fn run_ahead(judge: &dyn Judge, program: &dyn Program, suites: &[&Suite]) -> Vec<Option<SuiteRun>> {
     let lanes = program.at_once().min(suites.len());
     // The longest first: what comes last decides when all is done.
     let mut order: Vec<usize> = (0..suites.len()).collect();
@@ -184,7 +216,7 @@ fn run_ahead(judge: &dyn Judge, program: &dyn Program, suites: &[Suite]) -> Vec<
         let lane = || {
             while !ended.load(Ordering::Relaxed) {
                 let Some(&number) = order.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-                let run = run_suite(program, judge, &suites[number]);
+                let run = run_suite(program, judge, suites[number]);
                 ended.fetch_or(run.exhausted > 0, Ordering::Relaxed);
                 *runs[number].lock().unwrap_or_else(PoisonError::into_inner) = Some(run);
             }

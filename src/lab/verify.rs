@@ -9,7 +9,8 @@
 //! Every bug must be caught by a test and named, no bug may be called by a wrong name, and every test must catch a
 //! bug: a check that no wrong program fails checks nothing.
 
-use super::grade::{grade, random_evidence};
+use super::grade::{RandomCases, grade, suites};
+use super::judge::Suite;
 use super::mutants::with_conditions;
 use super::signatures::{Signature, Signatures};
 use super::student::{Kit, student_files};
@@ -311,6 +312,21 @@ fn leaks(lab: &Lab, solution: &str) -> Vec<String> {
     problems
 }
 
+/// What every variant is asked, made once.
+struct Asked {
+    /// The suites of the report and of the signatures.
+    suites: Vec<Suite>,
+    /// Those from which the conditions are learnt.
+    more: Vec<RandomCases>,
+}
+
+impl Asked {
+    fn of(lab: &Lab) -> Self {
+        let more = (SEED + 1..=SEED + SEEDS).map(|seed| RandomCases::of(lab, &Plan::with_seed(seed)));
+        Self { suites: suites(lab, &Plan::with_seed(SEED)), more: more.collect() }
+    }
+}
+
 /// Builds and grades all variants, as many at a time as there are cores; the first ones only if the solution cannot be
 /// built.
 fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Result<Vec<Result<Outcome, String>>> {
@@ -318,6 +334,7 @@ fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Resu
     let outcomes: Mutex<BTreeMap<usize, io::Result<Result<Outcome, String>>>> = Mutex::default();
     // Where the solution cannot be built, nothing that is made of it can.
     let ended = AtomicBool::new(false);
+    let asked = &Asked::of(lab);
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
         for worker in 0..workers.min(variants.len()) {
@@ -328,7 +345,7 @@ fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Resu
                     let i = next.fetch_add(1, Ordering::Relaxed);
                     let Some((variant, text)) = variants.get(i) else { break };
                     let program = room.join(format!("program-{i}{}", std::env::consts::EXE_SUFFIX));
-                    let outcome = grade_variant(lab, &folder, program, variant, text);
+                    let outcome = grade_variant(lab, asked, &folder, program, variant, text);
                     let is_lost = matches!(variant, Variant::Solution) && matches!(outcome, Ok(Err(_)));
                     ended.fetch_or(is_lost, Ordering::Relaxed);
                     outcomes.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(i, outcome);
@@ -341,6 +358,7 @@ fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Resu
 
 fn grade_variant(
     lab: &Lab,
+    asked: &Asked,
     folder: &Path,
     program: PathBuf,
     variant: &Variant,
@@ -353,7 +371,7 @@ fn grade_variant(
     }
     let program = Driver::new(program, lab.manifest.limits);
     let graded = || {
-        let (report, signature, evidence) = grade(lab, &program, &Plan::with_seed(SEED), true);
+        let (report, signature, evidence) = grade(lab, &program, &Plan::with_seed(SEED), &asked.suites, true);
         (Outcome { report: Report { millis: 0, ..report }, signature }, evidence)
     };
     let (outcome, mut evidence) = graded();
@@ -363,8 +381,8 @@ fn grade_variant(
     let Outcome { report, mut signature } = outcome;
     if !signature.is_empty() {
         let failing: BTreeSet<&str> = signature.keys().map(String::as_str).collect();
-        for seed in SEED + 1..=SEED + SEEDS {
-            for (test, calls) in random_evidence(lab, &program, &Plan::with_seed(seed), &failing) {
+        for cases in &asked.more {
+            for (test, calls) in cases.evidence(lab, &program, &failing) {
                 let all = evidence.entry(test).or_default();
                 all.failing.extend(calls.failing);
                 all.passing.extend(calls.passing);

@@ -11,10 +11,13 @@
 //!
 //! The dual of the dual is the same structure again.
 
-use super::vector::dot;
+use super::vector::{dot, minus};
 use super::{Polyhedron, SolidError};
-use crate::ids::{FaceId, FaceMap, VertexId};
+use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::topology::PolygonList;
+
+/// Neighbouring faces with poles so close, as a part of their distance from the origin, lie in one plane.
+const ONE_PLANE: f64 = 1e-9;
 
 /// Why a surface has no dual.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,8 +48,8 @@ pub enum DualError {
 /// Where the vertices of a dual are.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum DualPositions {
-    /// Of a convex solid with the origin inside: a face in the plane n·x = 1 has its vertex at n. The dual of the
-    /// dual is then the solid itself.
+    /// Of a convex solid with the origin inside, of which no two neighbouring faces lie in one plane: a face in the plane
+    /// n·x = 1 has its vertex at n. The dual of the dual is then the solid itself.
     Polar,
     /// The mean of the corners of each face.
     Means,
@@ -62,8 +65,8 @@ pub struct Dual {
 }
 
 impl Polyhedron {
-    /// The dual of a closed surface: polar if it bounds a convex solid with the origin inside, else with a vertex
-    /// in the middle of each face.
+    /// The dual of a closed surface: polar if it bounds a convex solid with the origin inside and no two neighbouring
+    /// faces in one plane, else with a vertex in the middle of each face.
     ///
     /// Cost: that of [`check_convex`](Self::check_convex).
     ///
@@ -94,13 +97,26 @@ impl Polyhedron {
             }
             faces.push_face(&corners);
         }
-        let polar = self.check_convex().ok().and_then(|_| self.faces().map(|f| self.pole(f)).collect());
-        let (points, positions) = match polar {
+        let (points, positions) = match self.poles(&number) {
             Some(points) => (points, DualPositions::Polar),
             None => (self.faces().map(|f| self.face_mean(f)).collect(), DualPositions::Means),
         };
         let solid = Self::from_polygons(points, &faces).map_err(|error| DualError::Solid { error })?;
         Ok(Dual { solid, positions })
+    }
+
+    /// The poles of all faces of a convex solid, by the numbers of the faces; none if one has no pole, or two neighbours
+    /// have the same, but for rounding: their planes are one.
+    fn poles(&self, number: &FaceMap<u32>) -> Option<Vec<[f64; 3]>> {
+        self.check_convex().ok()?;
+        let poles: Vec<[f64; 3]> = self.faces().map(|f| self.pole(f)).collect::<Option<_>>()?;
+        let of = |h| poles[number[self.face(h)] as usize];
+        let is_one = |h: HalfEdgeId| {
+            let (p, q) = (of(h), of(self.twin(h)));
+            let apart = minus(p, q);
+            dot(apart, apart) <= ONE_PLANE * ONE_PLANE * dot(p, p)
+        };
+        (!self.half_edges().any(is_one)).then_some(poles)
     }
 
     /// The n of the plane n·x = 1 of a face; none if the origin is not clearly on the inner side, or so far away

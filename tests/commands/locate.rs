@@ -85,6 +85,26 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
     );
 }
 
+/// What lies on the grid has not moved, and what has is counted.
+#[test]
+fn crossings_on_the_grid_are_not_said_to_move() {
+    let folder = Folder::new();
+    let square = |low: f64| {
+        let high = low + 1.0;
+        format!("POLYGON (({low} {low}, {high} {low}, {high} {high}, {low} {high}, {low} {low}))\n")
+    };
+    folder.write("p.wkt", &square(0.0));
+    folder.write("q.wkt", &square(0.5));
+    let told = folder.dcel("overlay p.wkt q.wkt --grid 0.5 --json");
+    assert!(!told.err.contains("rounded to"), "{}", told.err);
+    let report = told.json();
+    assert_eq!((report["crossings"].as_array().unwrap().len(), &report["moved"]), (2, &json!([])));
+    let told = folder.dcel("overlay p.wkt q.wkt --grid 1");
+    assert!(told.err.contains("note: 1 crossing was rounded to the grid, by 0.5"), "{}", told.err);
+    folder.write("x.segments", "0 0 1 1\n0 1 1 0\n");
+    assert_eq!(folder.dcel("build x.segments --mend --grid 0.25 --json").json()["moved"], json!([]));
+}
+
 #[test]
 fn numbers_below_zero_may_be_written_in_any_way() {
     let folder = Folder::new();

@@ -19,6 +19,27 @@ fn a_torus_is_made_written_and_measured() {
     told.fails(2, "t.off: the surface has handles (1)", "a convex solid has none");
 }
 
+/// Two edges with the same ends are one where edges are told by their ends.
+#[test]
+fn a_torus_too_narrow_for_a_list_of_corners_is_refused() {
+    let folder = Folder::new();
+    for (shape, ending) in [("3 2", "off"), ("2 2", "off"), ("2 3", "obj"), ("2 3", "ply")] {
+        let call = format!("solid make torus {shape} -o t.{ending}");
+        folder.dcel(&call).fails(2, "join the same two vertices", "dcel holds everything");
+        assert!(!folder.path(&format!("t.{ending}")).exists(), "{call}");
+    }
+    folder.dcel("solid make torus 3 3 -o t.off").fine();
+    assert_eq!(folder.dcel("solid info t.off --json").json()["pieces"][0]["genus"], 1);
+    folder.dcel("solid make torus 3 2 -o t.dcel").fine();
+}
+
+#[test]
+fn hulls_of_files_without_a_known_format_name_those_that_are() {
+    let folder = Folder::new();
+    folder.write("trees.xy", "0 0\n1 0\n0 1\n");
+    folder.dcel("solid make hull trees.xy").fails(2, "the format is not known", "obj, off, ply and stl");
+}
+
 #[test]
 fn every_shape_of_the_help_is_made_and_closed() {
     let folder = Folder::new();

@@ -2,6 +2,7 @@
 
 use super::common::v;
 use super::shapes::{L, cut_cube, polygons, prism, torus};
+use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{
     Archimedean, DualError, DualPositions, FaceFault, Hand, HullFaces, Platonic, Polyhedron, TruncateError,
 };
@@ -66,6 +67,27 @@ fn the_dual_of_a_regular_solid_is_the_other_one_and_back() {
             assert!((0..3).all(|i| near(a[i], b[i])), "{kind} {v}: {a:?} {b:?}");
         }
     }
+}
+
+/// Faces in one plane have one pole: polar, their corners would fall together.
+#[test]
+fn a_solid_with_neighbours_in_one_plane_has_means_for_its_dual() {
+    for shape in [
+        Shape::Cuboid { x: 2, y: 3, z: 4 },
+        Shape::Cylinder { sides: 6, layers: 3 },
+        Shape::Cone { sides: 5, layers: 2 },
+    ] {
+        let solid = shape.build().unwrap().polyhedron;
+        assert!(solid.check_convex().is_ok(), "{shape:?}");
+        let dual = solid.dual().unwrap();
+        assert_eq!(dual.positions, DualPositions::Means, "{shape:?}");
+        let mut places: Vec<_> = dual.solid.vertices().map(|v| dual.solid.point(v).map(f64::to_bits)).collect();
+        places.sort_unstable();
+        places.dedup();
+        assert_eq!(places.len(), solid.face_count(), "{shape:?}");
+    }
+    let whole = Shape::Cuboid { x: 1, y: 1, z: 1 }.build().unwrap().polyhedron;
+    assert_eq!(whole.dual().unwrap().positions, DualPositions::Polar);
 }
 
 /// V, E, F, and the faces round each vertex: in the order of [`Archimedean::ALL`].

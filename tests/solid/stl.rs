@@ -1,6 +1,7 @@
 //! STL in both forms: corners are joined, faces are cut, and what is wrong has its place.
 
 use super::shapes::{L, prism};
+use dcel_kit::io::stl::rounding;
 use dcel_kit::io::{Document, Format, Model, PolygonSoup, ReadOptions, WriteError, read_bytes, write};
 use dcel_kit::solid::{Archimedean, Hand, Platonic, Polyhedron};
 use dcel_kit::topology::{PolygonList, isomorphic};
@@ -128,6 +129,50 @@ fn what_is_no_stl_is_named_with_its_place() {
     assert!(read(&bytes).unwrap_err().contains("are not what the count says"));
     let refused = written(&prism(&L, 1.0)).unwrap_err().to_string();
     assert!(refused.starts_with("f0 is not convex"), "{refused}");
+}
+
+#[test]
+fn more_than_a_binary_file_counts_is_noted_and_fewer_is_refused() {
+    let (soup, _) = read(&written(&Polyhedron::platonic(Platonic::Tetrahedron)).unwrap()).unwrap();
+    for start in [*b"solid", *b"other"] {
+        let mut bytes = binary(&soup);
+        bytes[..5].copy_from_slice(&start);
+        let counted = |count: u32| {
+            let mut bytes = bytes.clone();
+            bytes[80..84].copy_from_slice(&count.to_le_bytes());
+            bytes
+        };
+        let (more, notes) = read(&counted(3)).unwrap();
+        assert_eq!(
+            (&more.faces, &notes[..]),
+            (&soup.faces, &["the file counts 3 triangles and holds 4: all were read".to_owned()][..])
+        );
+        let (same, notes) = read(&[&bytes[..], &[7; 4]].concat()).unwrap();
+        assert_eq!(
+            (&same.faces, &notes[..]),
+            (&soup.faces, &["4 bytes behind the 4 triangles that are counted were left out".to_owned()][..])
+        );
+        let error = read(&counted(5)).unwrap_err();
+        assert!(error.contains("the data end inside triangle 4 of 5, counted from 0"), "{error}");
+        let (none, _) = read(&bytes).unwrap();
+        assert_eq!(none.faces, soup.faces);
+    }
+}
+
+#[test]
+fn what_single_precision_folds_is_refused_and_what_it_rounds_is_told() {
+    let triangle = |corners: Vec<[f64; 3]>| {
+        Polyhedron::from_polygons(corners, &PolygonList::from_triangles(&[[0, 1, 2]])).unwrap()
+    };
+    // All three lie at y = 4000000 then.
+    let flat = triangle(vec![[4e6, 4e6 + 0.05, 0.0], [4e6 + 3.0, 4e6 + 0.05, 0.0], [4e6 + 1.0, 4e6 + 0.12, 0.0]]);
+    let error = written_as_binary(&flat).unwrap_err().to_string();
+    assert!(error.starts_with("a triangle of f0 is flat or turned over in single precision"), "{error}");
+    let moved = triangle(vec![[0.1, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.25]]);
+    let model = Model::surface(&moved, |v| Some(moved.point(v)), |f| moved.is_boundary_face(f));
+    let note = rounding(&model, Format::StlBinary).unwrap();
+    assert!(note.starts_with("1 point was rounded to single precision, none further than 1.5e-9"), "{note}");
+    assert_eq!((rounding(&model, Format::Stl), rounding(&model, Format::Obj)), (None, None));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::output::counts;
 use crate::save::{Files, InPlace, save_as};
 use crate::subject::Kind;
 use crate::{Answer, Output};
-use dcel_kit::io::{Document, Format, Model, ReadOptions, read_path, source_name};
+use dcel_kit::io::{Document, Format, Model, ReadOptions, ReadProblem, read_path, source_name};
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -27,11 +27,16 @@ pub(crate) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Fail
 
 /// Reads the points of a file of a surface in space.
 pub(crate) fn points_in_space(file: &Path) -> Result<Vec<[f64; 3]>, Failure> {
-    match read_path(file, &ReadOptions::default())?.document {
+    const HELP: &str = "hulls are made of the points of obj, off, ply and stl, told by the end of the name";
+    let read = read_path(file, &ReadOptions::default()).map_err(|error| match *error.what {
+        ReadProblem::UnknownFormat => Failure::from(error).helped_by(HELP),
+        _ => error.into(),
+    })?;
+    match read.document {
         Document::Polygons(soup) => Ok(soup.points),
         Document::Segments(_) | Document::Table(_) | Document::Columns(_) => {
             let what = format!("{}: this holds points of the plane", source_name(file));
-            Err(Failure::input(what, "hulls are made of the points of obj, off, ply and stl"))
+            Err(Failure::input(what, HELP))
         }
     }
 }

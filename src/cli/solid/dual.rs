@@ -8,9 +8,9 @@ use std::path::PathBuf;
 
 /// Make the dual of a closed solid
 ///
-/// A vertex for each face, a face for each vertex. Polar if the solid is convex and the origin lies
-/// inside: then the dual of the dual is the solid itself. Else each vertex is the mean of the corners
-/// of its face.
+/// A vertex for each face, a face for each vertex. Polar if the solid is convex, the origin lies inside
+/// and no two neighbouring faces lie in one plane: then the dual of the dual is the solid itself. Else each
+/// vertex is the mean of the corners of its face.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:

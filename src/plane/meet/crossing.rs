@@ -127,11 +127,18 @@ impl Crossing {
                     centre += grid.size();
                 }
             }
-            let off = (centre - bounds.low).abs().max((bounds.high - centre).abs()).next_up();
+            // Only what may lie on the grid is looked at exactly.
+            let may_be = bounds.low <= centre && centre <= bounds.high;
+            let off = if may_be && (bounds.low == bounds.high || exact(part, centre).is_eq()) {
+                0.0
+            } else {
+                (centre - bounds.low).abs().max((bounds.high - centre).abs()).next_up()
+            };
             (centre + 0.0, off.min(grid.half()))
         };
         let ((x, off_x), (y, off_y)) = (round(self.x, |e| &e.x), round(self.y, |e| &e.y));
-        (Point::new(x, y), off_x.hypot(off_y).next_up())
+        let off = off_x.hypot(off_y);
+        (Point::new(x, y), if off > 0.0 { off.next_up() } else { 0.0 })
     }
 
     /// The nearest point with doubles as coordinates, within the range of the door, and how far it is from the

@@ -34,14 +34,16 @@ pub(super) fn build(points: &[Spot], triangles: &[[usize; 3]]) -> Table {
     let id = |h: usize| Some(HalfEdgeId::new(h as u32));
     let mut ends: Vec<[usize; 2]> = Vec::new();
     let mut face: Vec<usize> = Vec::new();
-    let mut known: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    // By origin: the other end of each half-edge, and its number.
+    let mut known: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
     let mut sides: Vec<[usize; 3]> = Vec::new();
     for (t, corners) in triangles.iter().enumerate() {
         sides.push([0, 1, 2].map(|i| {
             let (from, to) = (corners[i], corners[(i + 1) % 3]);
-            let h = *known.entry([from, to]).or_insert(ends.len());
+            let h = known[from].iter().find(|half| half[0] == to).map_or(ends.len(), |half| half[1]);
             if h == ends.len() {
-                known.insert([to, from], h + 1);
+                known[from].push([to, h]);
+                known[to].push([from, h + 1]);
                 ends.extend([[from, to], [to, from]]);
                 face.extend([0, 0]);
             }
@@ -55,9 +57,9 @@ pub(super) fn build(points: &[Spot], triangles: &[[usize; 3]]) -> Table {
             next[three[i]] = three[(i + 1) % 3];
         }
     }
-    let mut walls_from: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut walls_from: Vec<Vec<usize>> = vec![Vec::new(); points.len()];
     for h in (0..ends.len()).filter(|&h| face[h] == 0) {
-        walls_from.entry(ends[h][0]).or_default().push(h);
+        walls_from[ends[h][0]].push(h);
     }
     for h in (0..ends.len()).filter(|&h| face[h] == 0) {
         // Through what is outside: clockwise from the way back.
@@ -66,7 +68,7 @@ pub(super) fn build(points: &[Spot], triangles: &[[usize; 3]]) -> Table {
             let angle = |p: Spot| (p[1] - at[1]).atan2(p[0] - at[0]);
             (angle(points[ends[h][0]]) - angle(points[ends[g][1]])).rem_euclid(std::f64::consts::TAU)
         };
-        let walls = &walls_from[&ends[h][1]];
+        let walls = &walls_from[ends[h][1]];
         next[h] = walls.iter().copied().min_by(|&a, &b| clockwise(a).total_cmp(&clockwise(b))).unwrap_or(h);
     }
     let mut prev = vec![0; ends.len()];
