@@ -171,7 +171,10 @@ fn what_single_precision_folds_is_refused_and_what_it_rounds_is_told() {
     let moved = triangle(vec![[0.1, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.25]]);
     let model = Model::surface(&moved, |v| Some(moved.point(v)), |f| moved.is_boundary_face(f));
     let note = rounding(&model, Format::StlBinary).unwrap();
-    assert!(note.starts_with("1 point was rounded to single precision, none further than 1.5e-9"), "{note}");
+    assert!(
+        note.starts_with("1 point was rounded to single precision, none further than 1.50e-9 in x, y or z"),
+        "{note}"
+    );
     assert_eq!((rounding(&model, Format::Stl), rounding(&model, Format::Obj)), (None, None));
 }
 
