@@ -200,12 +200,14 @@ impl NavMesh {
     }
 
     /// For each wedge at `v` that ends at closed sides: the vertex before `v` along the border, `v`, the vertex after.
+    ///
+    /// Cost: that of [`wedges`](Self::wedges).
     fn closed_corners(&self, v: VertexId) -> Vec<[VertexId; 3]> {
         let corner = |wedge: Vec<FaceId>| {
             let [&first, &last] = [wedge.first()?, wedge.last()?];
-            let next = self.sides(first).find(|side| side.from == v && !side.open)?;
-            let before = self.sides(last).find(|side| side.to == v && !side.open)?;
-            Some([before.from, v, next.to])
+            let next = self.side(first, self.side_from(first, v.number())?);
+            let before = self.side(last, self.side_to(last, v.number())?);
+            (!next.open && !before.open).then_some([before.from, v, next.to])
         };
         self.wedges(v).into_iter().filter_map(corner).collect()
     }

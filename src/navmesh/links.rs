@@ -186,6 +186,24 @@ fn trace<R>(mut pieces: Vec<Piece<R>>, by: &[Option<usize>], last: usize, cost: 
     found
 }
 
+/// Of what is found for each pair of a start and a goal, by their numbers, the cheapest; of equals the first. With it its
+/// pair. A pair that nothing joins is passed over.
+pub(super) fn cheapest_pair<R>(
+    [starts, goals]: [usize; 2],
+    mut find: impl FnMut([usize; 2]) -> Result<R, LinkError>,
+    cost: impl Fn(&R) -> f64,
+) -> Result<(R, [usize; 2]), LinkError> {
+    let mut best: Option<(R, [usize; 2])> = None;
+    for pair in (0..starts).flat_map(|i| (0..goals).map(move |k| [i, k])) {
+        match find(pair) {
+            Ok(path) if best.as_ref().is_none_or(|(least, _)| cost(&path) < cost(least)) => best = Some((path, pair)),
+            Ok(_) | Err(LinkError::Unreachable) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    best.ok_or(LinkError::Unreachable)
+}
+
 /// Refuses costs that cannot be compared, and layers that are not there.
 pub(super) fn check_costs(costs: impl IntoIterator<Item = f64>) -> Result<(), LinkError> {
     match costs.into_iter().enumerate().find(|(_, cost)| !cost.is_finite() || *cost < 0.0) {
@@ -249,9 +267,59 @@ impl Planner {
         Ok(LinkedRoute { work, ..path })
     }
 
-    /// The same where a unit of length in a face costs as much as `costs` says, layer by layer. Legs are found as by
-    /// [`weighted_route`](Self::weighted_route), so they are good ones and not the cheapest of all; which links are used
-    /// is decided by what these legs cost.
+    /// The cheapest of the paths over links from one of the starts to one of the goals, as from all sides of a double corner;
+    /// of equals the first. With it the numbers of its start and its goal. With `costs` a path is found as by
+    /// [`weighted_linked_route`](Self::weighted_linked_route).
+    ///
+    /// Cost: that of [`linked_route`](Self::linked_route) for each pair.
+    ///
+    /// # Errors
+    /// [`LinkError::Unreachable`] if there is no path from any of them to any; any other error of one pair.
+    ///
+    /// # Panics
+    /// As [`weighted_linked_route`](Self::weighted_linked_route), if there are costs.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{Link, NavMesh, PathAlgorithm, Planner, Stop};
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// use dcel_kit::topology::PolygonList;
+    /// // Two squares that touch in a corner, which nobody passes.
+    /// let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.), (8., 4.), (8., 8.), (4., 8.)].map(Point::from);
+    /// let mut faces = PolygonList::new();
+    /// faces.push_face(&[0, 1, 2, 3]);
+    /// faces.push_face(&[2, 4, 5, 6]);
+    /// let mesh = NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &faces)?)?;
+    /// let stops = |x, y| -> Result<Vec<Stop>, Box<dyn std::error::Error>> {
+    ///     Ok(mesh.places(Point::new(x, y))?.into_iter().map(|place| Stop { layer: 0, place }).collect())
+    /// };
+    /// let link = Link { from: stops(1., 2.)?[0], to: stops(7., 4.)?[0], cost: 1.0 };
+    /// let (starts, goals) = (stops(1., 1.)?, stops(4., 4.)?);
+    /// let layers = std::slice::from_ref(&mesh);
+    /// let path = Planner::new().linked_route_among(layers, &[link], PathAlgorithm::Exact, None, [&starts, &goals])?;
+    /// assert_eq!((goals.len(), path.0.cost), (2, 18f64.sqrt()), "on foot");
+    /// let goals = &goals[1..];
+    /// let path = Planner::new().linked_route_among(layers, &[link], PathAlgorithm::Exact, None, [&starts, goals])?;
+    /// assert_eq!(path.0.cost, 1.0 + 1.0 + 3.0, "the other side of the corner");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn linked_route_among(
+        &mut self,
+        layers: &[NavMesh],
+        links: &[Link],
+        algorithm: PathAlgorithm,
+        costs: Option<&[FaceMap<f64>]>,
+        [starts, goals]: [&[Stop]; 2],
+    ) -> Result<(LinkedRoute, [usize; 2]), LinkError> {
+        let find = |[i, k]: [usize; 2]| match costs {
+            Some(costs) => self.weighted_linked_route(layers, links, algorithm, costs, &starts[i], &goals[k]),
+            None => self.linked_route(layers, links, algorithm, &starts[i], &goals[k]),
+        };
+        cheapest_pair([starts.len(), goals.len()], find, |path| path.cost)
+    }
+
+    /// [`linked_route`](Self::linked_route) where a unit of length in a face costs as much as `costs` says, layer by layer.
+    /// Legs are found as by [`weighted_route`](Self::weighted_route), so they are good ones and not the cheapest of all;
+    /// which links are used is decided by what these legs cost.
     ///
     /// # Errors
     /// [`LinkError`].

@@ -34,6 +34,9 @@ pub(super) fn steps(portals: &[[Endpoint; 2]], path: &[Endpoint]) -> Vec<Step> {
     let mut passed = 0;
     for (k, (a, b)) in path.iter().zip(path.iter().skip(1)).enumerate() {
         let is_last = k + 2 == path.len();
+        let piece = [a.point, b.point];
+        // How far along the piece one is.
+        let mut walked = 0.0;
         while let Some(portal) = portals.get(passed)
             && (is_last || !portal.contains(b))
         {
@@ -43,7 +46,8 @@ pub(super) fn steps(portals: &[[Endpoint; 2]], path: &[Endpoint]) -> Vec<Step> {
             let whole = height(left) - height(right);
             // A portal on the line of the piece is passed where the piece ends.
             let share = if whole > 0.0 { -height(right) / whole } else { closest(right, left, b.point) };
-            steps.push(Step { end: End::Portal(passed, share.clamp(0.0, 1.0)), face: passed });
+            let share = onwards([right, left], share.clamp(0.0, 1.0), piece, &mut walked);
+            steps.push(Step { end: End::Portal(passed, share), face: passed });
             passed += 1;
         }
         steps.push(Step { end: End::Endpoint(k + 1), face: passed });
@@ -52,6 +56,32 @@ pub(super) fn steps(portals: &[[Endpoint; 2]], path: &[Endpoint]) -> Vec<Step> {
         }
     }
     steps
+}
+
+/// By how much of a piece rounding may move a point along it.
+const HAIR: f64 = 1e-12;
+
+/// Where a portal is passed, `share` by the heights of its ends over the piece. Where they are so close to the line of the
+/// piece that rounding decides, that may be in front of what was walked already, or behind the end of the piece: then it
+/// is the point of the portal closest to there. So nobody walks back. Updates what was walked.
+fn onwards([right, left]: [Point; 2], share: f64, [a, b]: [Point; 2], walked: &mut f64) -> f64 {
+    let part_of_piece = |share: f64| {
+        let p = Point::new(right.x + (left.x - right.x) * share, right.y + (left.y - right.y) * share);
+        let [x, y] = [b.x - a.x, b.y - a.y];
+        ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y)
+    };
+    let part = part_of_piece(share);
+    let share = if part > 1.0 + HAIR {
+        closest(right, left, b)
+    } else if part < *walked - HAIR {
+        let at = Point::new(a.x + (b.x - a.x) * *walked, a.y + (b.y - a.y) * *walked);
+        closest(right, left, at)
+    } else {
+        *walked = walked.max(part.min(1.0));
+        return share;
+    };
+    *walked = walked.max(part_of_piece(share.clamp(0.0, 1.0)).min(1.0));
+    share.clamp(0.0, 1.0)
 }
 
 /// How far along a segment the point of it closest to `p` is.

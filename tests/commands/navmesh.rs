@@ -846,3 +846,98 @@ fn what_obstacles_block_is_told() {
     let path = "navmesh path hall.obj 15 15 0.5 0.2 --algorithm closest --cost 12,4,5,3,2,10=1 --cost 7,0,6,11,7,7=1";
     folder.dcel(path).fine();
 }
+
+/// A start, a goal and the ends of links count on all sides of a double corner, and which side is meant is decided by the
+/// path with its links.
+#[test]
+fn links_lead_to_and_from_all_sides_of_a_double_corner() {
+    let folder = folder();
+    folder.write("two.obj", "v 0 0\nv 40 0\nv 40 4\nv 0 4\nv 44 4\nv 44 8\nv 40 8\nf 1 2 3 4\nf 3 5 6 7\n");
+    let cost = |arguments: &str| {
+        let told = folder.dcel(&format!("navmesh path two.obj --json {arguments}"));
+        let note = told.err.clone();
+        (told.json()["cost"].as_f64().expect("a cost"), note)
+    };
+    // The goal: by the link to its other side, and not on foot.
+    let (there, told) = cost("--link 1,1,41,5,1 -- 1 1 40 4");
+    assert!((there - (1.0 + 2f64.sqrt())).abs() < 1e-12 && told.contains("in f1, f2: the shortest path is that of f2"));
+    assert_eq!(cost("--link 1,1,41,5,1 --goal-face f2 -- 1 1 40 4").0.to_bits(), there.to_bits());
+    assert!(cost("--link 1,1,41,5,1 --goal-face f1 -- 1 1 40 4").0 > 39.0);
+    // The start, and with costs of faces.
+    let (back, told) = cost("--link 41,5,1,1,1 -- 40 4 1 1");
+    assert!((back - there).abs() < 1e-12 && told.contains("the shortest path is that of f2"), "{told}");
+    let (dear, _) = cost("--link 41,5,1,1,1 --algorithm closest --cost f2=3 -- 40 4 1 1");
+    assert!((dear - (1.0 + 3.0 * 2f64.sqrt())).abs() < 1e-12, "{dear}");
+    // No way on foot at all.
+    let (only, _) = cost("--link 1,1,42,6,1 --goal-face f2 -- 1 1 40 4");
+    assert!((only - (1.0 + 8f64.sqrt())).abs() < 1e-12, "{only}");
+    // With a wall: the mesh is another one then.
+    let (walled, _) = cost("--wall 20,0,20,4 --link 1,1,41,5,1 -- 1 1 40 4");
+    assert!((walled - there).abs() < 1e-12, "{walled}");
+    // A link that begins there: for who comes from either side. It is the first of two, and told as the first.
+    for start in ["39 3", "41 5"] {
+        let (from_corner, _) = cost(&format!("--link 40,4,1,1,1 --link 0,0,1,1,9 -- {start} 1 1"));
+        assert!((from_corner - (1.0 + 2f64.sqrt())).abs() < 1e-12, "{start}: {from_corner}");
+        let told = folder.dcel(&format!("navmesh path two.obj --link 0,0,1,1,9 --link 40,4,1,1,1 -- {start} 1 1"));
+        assert!(told.fine().contains("(40, 4) -> (1, 1), costs 1\n"), "{start}");
+        let line = format!("navmesh path two.obj --link 0,0,1,1,9 --link 40,4,1,1,1 --json -- {start} 1 1");
+        assert_eq!(folder.dcel(&line).json()["links"], json!([1]), "{start}");
+    }
+    // One that ends there reaches both sides, and so do distances.
+    for goal in ["39 3", "41 5"] {
+        assert!((cost(&format!("--link 1,1,40,4,1 -- 1 1 {goal}")).0 - (1.0 + 2f64.sqrt())).abs() < 1e-12, "{goal}");
+    }
+    let far = folder.dcel("navmesh distances two.obj 1 1 --link 1,1,40,4,1 --json").json();
+    assert_eq!(far["vertices"].as_array().map(Vec::len), Some(7), "{far}");
+    // On a floor in space.
+    folder.write(
+        "tilted.obj",
+        "v 0 0 0\nv 40 0 0\nv 40 4 0\nv 0 4 0\nv 44 4 3\nv 44 8 3\nv 40 8 0\nf 1 2 3 4\nf 3 5 6 7\n",
+    );
+    let tilted = |arguments: &str| {
+        folder.dcel(&format!("navmesh path tilted.obj --up z --json {arguments}")).json()["cost"].as_f64()
+    };
+    let expected = 1.0 + (1.25f64 * 1.25 + 1.0).sqrt();
+    for arguments in ["--link 1,1,41,5,1 -- 1 1 40 4", "--link 41,5,1,1,1 -- 40 4 1 1", "--link 40,4,1,1,1 -- 41 5 1 1"]
+    {
+        let cost = tilted(arguments).expect(arguments);
+        assert!((cost - expected).abs() < 1e-9, "{arguments}: {cost} and not {expected}");
+    }
+    // Nothing leads there: no side is called that of the shortest path.
+    let told = folder.dcel("navmesh path two.obj --link 1,1,2,2,1 --start-face f1 -- 1 1 42 6");
+    assert!(told.code == Some(1) && told.out.starts_with("no path: neither the map nor the links"), "{told:?}");
+    folder.write(
+        "three.obj",
+        "v 0 0\nv 2 0\nv 2 2\nv 0 2\nv 4 2\nv 4 4\nv 2 4\nv 9 0\nv 11 0\nv 11 2\nf 1 2 3 4\nf 3 5 6 7\nf 8 9 10\n",
+    );
+    for link in ["", "--link 10,0.5,10,0.25,1"] {
+        let told = folder.dcel(&format!("navmesh path three.obj {link} -- 10 0.5 2 2"));
+        assert!(
+            told.code == Some(1) && told.err.contains("in f1, f2: no path begins or ends in any of them"),
+            "{told:?}"
+        );
+    }
+}
+
+/// The processor time of a path with a radius in a hall of `corners` corners that is one face.
+fn seconds_with_a_radius(folder: &Folder, corners: u32) -> f64 {
+    let angle = |i: u32| f64::from(i) / f64::from(corners) * std::f64::consts::TAU;
+    let points = (0..corners).map(|i| format!("v {} {}\n", 1000.0 * angle(i).cos(), 1000.0 * angle(i).sin()));
+    let face: Vec<String> = (1..=corners).map(|i| i.to_string()).collect();
+    folder.write(&format!("{corners}.obj"), &format!("{}f {}\n", points.collect::<String>(), face.join(" ")));
+    let dcel = env!("CARGO_BIN_EXE_dcel");
+    let line = format!("TIMEFORMAT=%U; time '{dcel}' navmesh path {corners}.obj 0 0 1 1 --radius 0.001");
+    let output =
+        std::process::Command::new("bash").args(["-c", &line]).current_dir(folder.path(".")).output().expect("bash");
+    assert!(output.status.success(), "{output:?}");
+    let told = String::from_utf8(output.stderr).expect("UTF-8");
+    told.trim().lines().last().and_then(|line| line.parse().ok()).unwrap_or_else(|| panic!("no time in {told}"))
+}
+
+/// Four times as many corners may take eight times as long; all sides of the face for each corner would take sixteen.
+#[test]
+fn a_margin_is_cut_off_in_time_of_the_corners() {
+    let folder = Folder::new();
+    let [small, large] = [4000, 16_000].map(|corners| seconds_with_a_radius(&folder, corners));
+    assert!(large < 8.0 * small.max(0.01), "{small} s, {large} s");
+}

@@ -308,3 +308,33 @@ fn lines_and_random_places_are_on_the_surface() {
         assert_eq!(found["places"][0]["point"][2], json!(row[2]), "{row:?}: {found}");
     }
 }
+
+/// A floor in space whose heights happen to be equal takes the same points as any other.
+#[test]
+fn a_level_floor_takes_points_of_three_coordinates() {
+    let folder = folder();
+    folder.write("level.obj", "v 0 5 0\nv 8 5 0\nv 8 5 -4\nv 0 5 -4\nf 1 2 3 4\n");
+    let ask = |arguments: &str| folder.dcel(&format!("navmesh {arguments}"));
+    for (flat, space) in [
+        ("path level.obj --up y 1 -1 5 -4", "path level.obj --up y 1 5 -1 5 5 -4"),
+        ("path level.obj --up y --radius 0.5 1 -1 5 -3", "path level.obj --up y --radius 0.5 1 9 -1 5 5 -3"),
+        ("distances level.obj --up y 1 -1", "distances level.obj --up y 1 5 -1"),
+        ("raycast level.obj --up y 1 -1 9 -1", "raycast level.obj --up y 1 5 -1 9 5 -1"),
+        ("locate level.obj --up y 1 -1 0 0", "locate level.obj --up y --xyz 1 5 -1 0 5 0"),
+        (
+            "path level.obj --up y --link 1,-2,5,-3,1 1 -1 5 -4",
+            "path level.obj --up y --link 1,5,-2,5,5,-3,1 1 -1 5 -4",
+        ),
+    ] {
+        assert_eq!(ask(space).fine(), ask(flat).fine(), "{space}");
+    }
+    ask("path level.obj --up y 1 4 -1 5 5 -4").fails(2, "(1, 4, -1) is below the floor, whose height is 5", "greater");
+    ask("distances level.obj --up y 1 4.9 -1").fails(2, "is below the floor, whose height is 5", "greater height");
+    // The heights of a floor that is looked at from above do not count, and a map has none.
+    folder.dcel("sample rooms.map").fine();
+    for arguments in ["path rooms.map 1 1 0 2 2 0", "path house.obj --up z --layer 0 --radius 0.1 1 1 0 2 2 0"] {
+        ask(arguments).fails(2, "three coordinates are for floors in space (--up)", "give x y of the start");
+    }
+    ask("distances rooms.map 1 1 0").fails(2, "three coordinates are for floors in space (--up)", "give x and y");
+    ask("path rooms.map 1 1 0 2 2").fails(2, "a path has two ends", "give x y of the start");
+}

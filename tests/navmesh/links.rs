@@ -4,7 +4,8 @@ use crate::maps::{Map, Random};
 use crate::oracle::{Node, Oracle};
 use crate::routes::is_close;
 use dcel_kit::navmesh::{Link, LinkError, NavMesh, PathAlgorithm, Planner, Stop};
-use dcel_kit::plane::Point;
+use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::topology::PolygonList;
 use dcel_kit::{FaceMap, VertexId};
 
 /// The least costs by relaxing every pair until nothing changes.
@@ -204,4 +205,37 @@ fn costs_along_a_route_are_what_many_samples_say_and_decide_about_links() {
         }
     }
     assert!(sampled > 15 && decided > 40, "{sampled} sampled, {decided} decided");
+}
+
+#[test]
+fn a_path_over_links_begins_and_ends_on_the_sides_that_are_best_with_the_links() {
+    // Two squares that touch in a corner, which nobody passes.
+    let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.), (8., 4.), (8., 8.), (4., 8.)].map(Point::from);
+    let mut faces = PolygonList::new();
+    faces.push_face(&[0, 1, 2, 3]);
+    faces.push_face(&[2, 4, 5, 6]);
+    let mesh = NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &faces).expect("a plane")).expect("a mesh");
+    let stops = |x: f64, y: f64| -> Vec<Stop> {
+        mesh.places(Point::new(x, y)).expect("inside").into_iter().map(|place| Stop { layer: 0, place }).collect()
+    };
+    let (corner, near, far) = (stops(4., 4.), stops(0.5, 0.5), stops(7., 7.));
+    let link = |from: &[Stop], to: &[Stop]| Link { from: from[0], to: to[0], cost: 0.25 };
+    let mut planner = Planner::new();
+    let mut cost = |links: &[Link], starts: &[Stop], goals: &[Stop]| {
+        let layers = std::slice::from_ref(&mesh);
+        planner
+            .linked_route_among(layers, links, PathAlgorithm::Exact, None, [starts, goals])
+            .map(|(path, pair)| (path.cost, pair))
+    };
+    // To the corner by a link that leads beside its other side; and the same back.
+    let beside = stops(5., 4.5);
+    let there = link(&near, &beside);
+    let expected = 0.25 + 1.25f64.sqrt();
+    assert_eq!(cost(&[there], &near, &corner), Ok((expected, [0, 1])));
+    assert_eq!(cost(&[link(&beside, &near)], &corner, &near), Ok((expected, [1, 0])));
+    // No link, and one that leads nowhere near.
+    assert_eq!(cost(&[], &near, &corner), Ok((24.5f64.sqrt(), [0, 0])));
+    assert_eq!(cost(&[], &near, &far), Err(LinkError::Unreachable));
+    assert_eq!(cost(&[], &[], &far), Err(LinkError::Unreachable));
+    assert_eq!(cost(&[Link { cost: -1.0, ..there }], &near, &corner), Err(LinkError::Cost { link: 0, cost: -1.0 }));
 }

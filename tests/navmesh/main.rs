@@ -22,5 +22,6 @@ mod routes;
 mod sight;
 mod slivers;
 mod surface;
+mod surface_ends;
 mod traps;
 mod weld;

@@ -13,7 +13,7 @@ use dcel_kit::{FaceId, FaceMap, VertexId};
 
 type Space = [f64; 3];
 
-fn list(faces: &[Vec<u32>]) -> PolygonList {
+pub(crate) fn list(faces: &[Vec<u32>]) -> PolygonList {
     let mut list = PolygonList::new();
     faces.iter().for_each(|face| list.push_face(face));
     list
@@ -26,12 +26,12 @@ fn lifted(map: &Map, lift: impl FnMut(Point) -> Space) -> NavSurface {
     NavSurface::new(&points, &list(&faces), None).expect("a surface")
 }
 
-fn far(a: Space, b: Space) -> f64 {
+pub(crate) fn far(a: Space, b: Space) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The parts of a route fit together.
-fn check(surface: &NavSurface, route: &SurfaceRoute, ends: [&SurfacePoint; 2], context: &str) {
+pub(crate) fn check(surface: &NavSurface, route: &SurfaceRoute, ends: [&SurfacePoint; 2], context: &str) {
     assert_eq!([route.points[0], *route.points.last().expect("two")], ends.map(|end| end.point), "{context}");
     assert_eq!(route.layers.len() + 1, route.points.len(), "{context}");
     let sum: f64 = route.points.windows(2).map(|pair| far(pair[0], pair[1])).sum();

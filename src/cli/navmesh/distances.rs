@@ -43,7 +43,7 @@ Examples:
 pub(super) struct Args {
     #[command(flatten)]
     pub(super) map: MapArgs,
-    /// The point: x y, as the file has it; on a floor whose heights differ x y z, too
+    /// The point: x y, as the file has it; on a floor in space (--up) x y z, too
     #[arg(value_names = ["X", "Y"], num_args = 2..=3, required = true, allow_negative_numbers = true, value_parser = number)]
     pub(super) start: Vec<f64>,
     /// Leave out what is further away than this
@@ -78,15 +78,16 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => return space::distances::run(&ground, args, target.as_ref(), out),
     };
-    let [x, y] = args.start[..] else {
-        return Err(Failure::input(format!("{} numbers are no point", args.start.len()), "give x and y"));
-    };
     let map = args.map.open_draft(draft, args.costs.areas())?;
-    let wish = Wish { what: "start", coordinates: [x, y], face: args.start_face };
+    let Some([start]) = map.flat(&args.start)? else {
+        let what = format!("{} numbers are no point", args.start.len());
+        return Err(map.no_points(&what, &args.start, 1, "give x and y"));
+    };
+    let wish = Wish { what: "start", coordinates: start, face: args.start_face };
     let End { asked, places, moved } = args.snap.wished(&map, &wish)?;
     from_each(&point(&map, asked), ON_SIDES, places.iter().map(|place| place.face));
     let start = places.first().map_or(asked, |place| place.point);
-    let links = args.links.links(&map)?;
+    let links = &args.links.links(&map)?.sides;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let layers = std::slice::from_ref(&map.mesh);
     let costs = map.costs(args.costs.areas())?;
@@ -94,9 +95,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     for place in places {
         let fields = match &costs {
             Some(costs) => {
-                Planner::new().weighted_distance_field(&map.mesh, costs, &links, &place, limit).map(|field| vec![field])
+                Planner::new().weighted_distance_field(&map.mesh, costs, links, &place, limit).map(|field| vec![field])
             }
-            None => Planner::new().linked_distance_field(layers, &links, &Stop { layer: 0, place }, limit),
+            None => Planner::new().linked_distance_field(layers, links, &Stop { layer: 0, place }, limit),
         };
         for field in fields.map_err(|error| Failure::about(&map.source, error))? {
             match &mut nearest {

@@ -36,10 +36,46 @@ pub(super) struct CostArgs {
 #[command(next_help_heading = "Costs and links")]
 pub(super) struct LinkArgs {
     /// A teleport, ladder or jump from one point to another, one way, that costs as much as this
-    /// length; may be given several times. On a floor whose heights differ points may have three
-    /// coordinates, as the file has them
+    /// length; may be given several times. At a point where holes touch, or on a wall, it begins or ends on
+    /// all sides. On a floor in space (--up) points may have three coordinates, as the file has them
     #[arg(long, value_name = "X0,Y0,X1,Y1,COST", value_parser = link, allow_hyphen_values = true)]
     link: Vec<LinkWish>,
+}
+
+/// The links of the command line. One whose ends are at points of several sides is a link from each side to each side.
+pub(super) struct Links<L> {
+    pub(super) sides: Vec<L>,
+    /// For each of them which link of the command line it is, from 0.
+    numbers: Vec<usize>,
+}
+
+impl<L> Links<L> {
+    fn new() -> Self {
+        Self { sides: Vec::new(), numbers: Vec::new() }
+    }
+
+    /// Adds the next link of the command line, from side to side.
+    fn add<P>(&mut self, [from, to]: [&[P]; 2], link: impl Fn(&P, &P) -> L) {
+        let number = self.numbers.last().map_or(0, |last| last + 1);
+        for side in from.iter().flat_map(|a| to.iter().map(move |b| (a, b))) {
+            self.sides.push(link(side.0, side.1));
+            self.numbers.push(number);
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.sides.is_empty()
+    }
+
+    /// Which links of the command line these are.
+    pub(super) fn numbers(&self, sides: &[usize]) -> Vec<usize> {
+        sides.iter().map(|&side| self.numbers[side]).collect()
+    }
+
+    /// The first of the sides of a link of the command line.
+    pub(super) fn first_side(&self, number: usize) -> Option<&L> {
+        self.sides.get(self.numbers.partition_point(|&of| of < number))
+    }
 }
 
 /// A link of the command line: two points of two or of three numbers, and what it costs.
@@ -88,39 +124,41 @@ impl CostArgs {
 
 impl LinkArgs {
     /// The links; their ends must be on the mesh.
-    pub(super) fn links(&self, map: &Map) -> Result<Vec<Link>, Failure> {
-        let stop = |at: [f64; 2], what: &str| -> Result<Stop, Failure> {
+    pub(super) fn links(&self, map: &Map) -> Result<Links<Link>, Failure> {
+        let stops = |at: [f64; 2], what: &str| -> Result<Vec<Stop>, Failure> {
             let p = map.point(at);
-            let place = map.mesh.place(p).map_err(|error| {
+            let places = map.mesh.places(p).map_err(|error| {
                 let nearest = map.mesh.nearest_point(p);
                 let help = nearest.map(|nearest| format!("the nearest place is {}", point(map, nearest.place.point)));
                 let why = super::tell::refusal(map, &error);
                 Failure::input(format!("{}: --link: its {what} {why}", map.source), help.unwrap_or_default())
             })?;
-            Ok(Stop { layer: 0, place })
+            Ok(places.into_iter().map(|place| Stop { layer: 0, place }).collect())
         };
-        let link = |wish: &LinkWish| match wish.numbers[..] {
-            [x0, y0, x1, y1] => {
-                Ok(Link { from: stop([x0, y0], "start")?, to: stop([x1, y1], "end")?, cost: wish.cost })
-            }
-            _ => Err(Failure::input(
-                format!("{}: --link: its points have three coordinates, those of the map have two", map.source),
-                "give x0,y0,x1,y1,cost",
-            )),
-        };
-        self.link.iter().map(link).collect()
+        let mut links = Links::new();
+        for LinkWish { numbers, cost } in &self.link {
+            let Some([from, to]) = map.flat(numbers)? else {
+                let why = "its points have three coordinates, those of the map have two";
+                return Err(Failure::input(format!("{}: --link: {why}", map.source), "give x0,y0,x1,y1,cost"));
+            };
+            let [from, to] = [stops(from, "start")?, stops(to, "end")?];
+            links.add([&from, &to], |&from, &to| Link { from, to, cost: *cost });
+        }
+        Ok(links)
     }
 
     /// The links of a surface.
-    pub(super) fn on(&self, ground: &Ground, snap: &Snap) -> Result<Vec<SurfaceLink>, Failure> {
-        let place = |numbers: &[f64], what: &str| -> Result<SurfacePoint, Failure> {
+    pub(super) fn on(&self, ground: &Ground, snap: &Snap) -> Result<Links<SurfaceLink>, Failure> {
+        let places = |numbers: &[f64], what: &str| -> Result<Vec<SurfacePoint>, Failure> {
             let wish = Wish { what, numbers, layer: None, face: None };
-            Ok(ground.end(&wish, snap)?.places[0])
+            Ok(ground.end(&wish, snap)?.places)
         };
-        let link = |LinkWish { numbers, cost }: &LinkWish| {
+        let mut links = Links::new();
+        for LinkWish { numbers, cost } in &self.link {
             let [from, to] = [&numbers[..numbers.len() / 2], &numbers[numbers.len() / 2..]];
-            Ok(SurfaceLink { from: place(from, "link's start")?, to: place(to, "link's end")?, cost: *cost })
-        };
-        self.link.iter().map(link).collect()
+            let [from, to] = [places(from, "link's start")?, places(to, "link's end")?];
+            links.add([&from, &to], |&from, &to| SurfaceLink { from, to, cost: *cost });
+        }
+        Ok(links)
     }
 }

@@ -93,7 +93,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     };
     let mut told = Vec::new();
-    if let Draft::Polygons { read, faults } = &draft
+    if let Draft::Polygons { read, faults, .. } = &draft
         && let Document::Polygons(soup) = &read.document
     {
         let frame = args.map.frame(read.format);

@@ -4,7 +4,10 @@ use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::output::point as told;
 use super::super::{Answer, Output};
+use super::ends::{End, Wish};
+use super::extras::Links;
 use super::map::Map;
+use super::path::choose_side;
 use super::routes::{Linked, tell_linked};
 use super::tell::{Spot, point};
 use dcel_kit::FaceMap;
@@ -15,24 +18,21 @@ pub(super) fn run(
     map: &Map,
     planner: &mut Planner,
     algorithm: PathAlgorithm,
-    (links, costs): (&[Link], Option<&FaceMap<f64>>),
-    (ends, moved): ([QueryPoint; 2], [Option<f64>; 2]),
+    (links, costs): (&Links<Link>, Option<&FaceMap<f64>>),
+    (wishes, ends): (&[Wish<'_>; 2], &[End; 2]),
     json: bool,
     out: &mut Output,
 ) -> Result<(Answer, Option<LinkedRoute>), Failure> {
-    let [start, goal] = ends.map(|place| Stop { layer: 0, place });
-    let layers = std::slice::from_ref(&map.mesh);
-    let found = match costs {
-        Some(costs) => {
-            planner.weighted_linked_route(layers, links, algorithm, std::slice::from_ref(costs), &start, &goal)
-        }
-        None => planner.linked_route(layers, links, algorithm, &start, &goal),
-    };
-    let path = match found {
-        Ok(path) => Some(path),
-        Err(LinkError::Unreachable) => None,
+    let stops = |end: &End| end.places.iter().map(|&place| Stop { layer: 0, place }).collect::<Vec<_>>();
+    let [starts, goals] = ends.each_ref().map(stops);
+    let (layers, costs) = (std::slice::from_ref(&map.mesh), costs.map(std::slice::from_ref));
+    let (path, pair) = match planner.linked_route_among(layers, &links.sides, algorithm, costs, [&starts, &goals]) {
+        Ok((path, pair)) => (Some(path), Some(pair)),
+        Err(LinkError::Unreachable) => (None, None),
         Err(error) => return Err(Failure::about(&map.source, error)),
     };
+    let moved = ends.each_ref().map(|end| end.moved);
+    let ends = choose_side(map, wishes, ends, || pair);
     let legs = |path: &LinkedRoute| {
         let leg = |route: &dcel_kit::navmesh::Route| {
             let points: Vec<[f64; 2]> = route.points.iter().map(|&p| map.in_file(p)).collect();
@@ -42,14 +42,17 @@ pub(super) fn run(
         };
         path.legs.iter().map(|of| leg(&of.route)).collect()
     };
-    let linked = path.as_ref().map(|path| Linked { cost: path.cost, legs: legs(path), links: &path.links });
-    let between = |ends: [Stop; 2]| ends.map(|stop| point(map, stop.place.point));
-    let link = |i: usize| {
-        let [from, to] = between([links[i].from, links[i].to]);
-        format!("{from} -> {to}, costs {}", links[i].cost)
+    let numbers = path.as_ref().map_or_else(Vec::new, |path| links.numbers(&path.links));
+    let linked = path.as_ref().map(|path| Linked { cost: path.cost, legs: legs(path), links: &numbers });
+    let between = |ends: [QueryPoint; 2]| ends.map(|place| point(map, place.point));
+    let link = |number: usize| {
+        links.first_side(number).map_or_else(String::new, |link| {
+            let [from, to] = between([link.from.place, link.to.place]);
+            format!("{from} -> {to}, costs {}", link.cost)
+        })
     };
     let none = || {
-        let [from, to] = between([start, goal]);
+        let [from, to] = between(ends);
         format!("the map nor the links lead from {from} to {to}")
     };
     let spots = ends.map(|place| Spot::of(map, place.point, place.location));

@@ -60,12 +60,14 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             return space::locate::run(&ground, &points, args.json, out);
         }
     };
-    if args.xyz {
-        let what = format!("{}: --xyz is for floors whose heights differ", args.map.source());
+    let map = args.map.open_draft(draft, &[])?;
+    if args.xyz && map.level.is_none() {
+        let what = format!("{}: --xyz is for floors in space that are measured along the surface", map.source);
         return Err(Failure::input(what, "give x and y of each point, and leave --xyz out"));
     }
-    let map = args.map.open_draft(draft, &[])?;
-    let found = args.coordinates.chunks_exact(2).map(|p| locate(&map, [p[0], p[1]]));
+    let points = args.coordinates.chunks_exact(if args.xyz { 3 } else { 2 }).map(|p| map.flat::<1>(p));
+    let points = points.collect::<Result<Vec<_>, Failure>>()?;
+    let found = points.into_iter().flatten().flatten().map(|p| locate(&map, p));
     let (found, rows): (Vec<_>, Vec<_>) = found.unzip();
     if args.json {
         out.json(&found)?;

@@ -1,8 +1,9 @@
 //! A map with its navmesh, and the way its file has its coordinates.
 
 use super::super::failure::Failure;
+use super::super::output::point as told;
 use super::areas::{Area, Faces, Names, middle};
-use dcel_kit::io::Format;
+use dcel_kit::io::{Axis, Format};
 use dcel_kit::navmesh::{Inset, NavMesh};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::{FaceId, FaceMap};
@@ -18,6 +19,18 @@ pub(super) struct Map {
     /// What faces cost, if obstacles have changed them since that was said.
     pub(super) known_costs: Option<FaceMap<f64>>,
     pub(super) frame: Frame,
+    /// Of a floor in space all of whose heights are equal.
+    pub(super) level: Option<Level>,
+}
+
+/// How high a level floor lies in space.
+#[derive(Clone, Copy)]
+pub(super) struct Level {
+    /// The axis that points up.
+    pub(super) up: Axis,
+    pub(super) height: f64,
+    /// How much lower a point may be given.
+    pub(super) slack: f64,
 }
 
 /// Whether the second coordinate of the file points down.
@@ -44,12 +57,48 @@ impl Map {
         self.frame.point(coordinates)
     }
 
+    /// `N` points of the command line by their two coordinates, in one row of numbers. On a level floor each may have three,
+    /// as where heights differ: the height is that of the floor, or above it. None for any other count of numbers.
+    pub(super) fn flat<const N: usize>(&self, numbers: &[f64]) -> Result<Option<[[f64; 2]; N]>, Failure> {
+        let mut points = [[0.0; 2]; N];
+        if numbers.len() == 2 * N {
+            points.iter_mut().zip(numbers.chunks_exact(2)).for_each(|(point, given)| point.copy_from_slice(given));
+            return Ok(Some(points));
+        }
+        let Some(level) = self.level.filter(|_| numbers.len() == 3 * N) else { return Ok(None) };
+        for (point, given) in points.iter_mut().zip(numbers.chunks_exact(3)) {
+            let [x, y, z] = [given[0], given[1], given[2]];
+            let (flat, height) = match level.up {
+                Axis::X => ([y, z], x),
+                Axis::Y => ([x, z], y),
+                Axis::Z => ([x, y], z),
+            };
+            if height < level.height - level.slack {
+                let what = format!("{} is below the floor, whose height is {}", told(given), level.height);
+                let help = "the floor at a point or below it is taken: give a greater height";
+                return Err(Failure::input(format!("{}: {what} everywhere", self.source), help));
+            }
+            *point = flat;
+        }
+        Ok(Some(points))
+    }
+
+    /// What to say if numbers are no points of the map: that it has no heights, if these are points of space.
+    pub(super) fn no_points(&self, what: &str, numbers: &[f64], points: usize, help: &str) -> Failure {
+        if numbers.len() == 3 * points {
+            let why = "three coordinates are for floors in space (--up) that are measured along the surface";
+            return Failure::input(format!("{}: {why}", self.source), help);
+        }
+        Failure::input(what, help)
+    }
+
     /// The same map without the margin of a radius.
     pub(super) fn inset(&self, inset: Inset) -> Self {
         let (subdivision, mesh) = inset.into_parts();
         let names = Names::default();
         let source = self.source.clone();
-        Self { source, format: self.format, subdivision, mesh, names, known_costs: None, frame: self.frame }
+        let Self { format, frame, level, .. } = *self;
+        Self { source, format, subdivision, mesh, names, known_costs: None, frame, level }
     }
 
     /// A point of the map, as the file has it.

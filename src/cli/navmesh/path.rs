@@ -5,7 +5,7 @@ use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish};
-use super::extras::Extras;
+use super::extras::{Extras, Links};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
@@ -36,6 +36,9 @@ use std::io::Write;
 #[derive(clap::Args, Debug)]
 #[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
+The exact path along a row of many pillars takes long: twice
+as many up to four times. --algorithm closest is quicker.
+
 Examples:
   dcel navmesh path rooms.map 1 1 22 12
   dcel navmesh path rooms.map 1 1 22 12 \\
@@ -57,7 +60,7 @@ Examples:
 pub(super) struct Args {
     #[command(flatten)]
     pub(super) map: MapArgs,
-    /// The start and the goal: x y x y, as the file has them; on a floor whose heights differ x y z x y z, too
+    /// The start and the goal: x y x y, as the file has them; on a floor in space (--up) x y z x y z, too
     #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
     pub(super) ends: Vec<f64>,
     /// How the path is found
@@ -188,13 +191,14 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => return space::path::run(&ground, args, target.as_ref(), out),
     };
-    let [x0, y0, x1, y1] = args.ends[..] else {
-        return Err(Failure::input("a path has two ends", "give x y of the start and x y of the goal"));
-    };
     if args.start_layer.or(args.goal_layer).is_some_and(|layer| layer > 0) {
         return Err(Failure::input(format!("{}: a map of the plane has one layer", args.map.source()), "leave it out"));
     }
     let whole = args.map.open_draft(draft, args.extras.areas())?;
+    let Some([from, to]) = whole.flat(&args.ends)? else {
+        let help = "give x y of the start and x y of the goal";
+        return Err(whole.no_points("a path has two ends", &args.ends, 2, help));
+    };
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset_within(radius, args.tolerance);
@@ -205,8 +209,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
     let maps = Maps { whole, inset, ways };
     let wishes = [
-        Wish { what: "start", coordinates: [x0, y0], face: args.start_face },
-        Wish { what: "goal", coordinates: [x1, y1], face: args.goal_face },
+        Wish { what: "start", coordinates: from, face: args.start_face },
+        Wish { what: "goal", coordinates: to, face: args.goal_face },
     ];
     let ends = match wishes.each_ref().map(|wish| args.snap.end(maps.ways(), wish, |error| maps.why(wish, error))) {
         [Ok(start), Ok(goal)] => [start, goal],
@@ -214,14 +218,14 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let map = maps.ways();
     let mut planner = args.preparation.planner();
-    let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
-    let moved = ends.map(|end| end.moved);
     args.check_costs()?;
     let costs = map.costs(args.extras.areas())?;
     let links = args.extras.links().links(map)?;
     if !links.is_empty() {
-        return linked(args, map, &mut planner, (&links, costs.as_ref()), ([start, goal], moved), target.as_ref(), out);
+        return linked(args, map, &mut planner, (&links, costs.as_ref()), (&wishes, &ends), target.as_ref(), out);
     }
+    let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
+    let moved = ends.map(|end| end.moved);
     let mut routes: Vec<(PathAlgorithm, Route)> = Vec::new();
     for &algorithm in args.algorithm.algorithms() {
         let found = match &costs {
@@ -255,8 +259,8 @@ fn linked(
     args: &Args,
     map: &Map,
     planner: &mut Planner,
-    (links, costs): (&[Link], Option<&FaceMap<f64>>),
-    ends: ([QueryPoint; 2], [Option<f64>; 2]),
+    (links, costs): (&Links<Link>, Option<&FaceMap<f64>>),
+    ends: (&[Wish<'_>; 2], &[End; 2]),
     target: Option<&Canvas>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
@@ -264,9 +268,20 @@ fn linked(
     let (answer, path) = super::linked::run(map, planner, algorithm, (links, costs), ends, args.json, out)?;
     if let Some((target, path)) = target.zip(path) {
         let options = target.options(map, &format!("A path over links through {}", args.map.title()));
-        save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, links, &options), out)?;
+        save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, &links.sides, &options), out)?;
     }
     Ok(answer)
+}
+
+/// Of several places at the ends those of the shortest path. Tells which.
+pub(super) fn choose_side(
+    map: &Map,
+    wishes: &[Wish<'_>; 2],
+    ends: &[End; 2],
+    shortest: impl FnOnce() -> Option<[usize; 2]>,
+) -> [QueryPoint; 2] {
+    let ends = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
+    choose(&ends, ON_SIDES, |place| place.face, shortest)
 }
 
 /// Why nothing is left of a map for an agent with a radius: what helps stands behind the colon.
@@ -311,10 +326,9 @@ impl Maps {
     /// Of several places at the ends those of the shortest path. Tells which.
     fn choose(&self, planner: &mut Planner, wishes: &[Wish<'_>; 2], ends: &[End; 2]) -> [QueryPoint; 2] {
         let map = self.ways();
-        let [start, goal] = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
-        let (starts, goals) = (start.2, goal.2);
+        let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
         let shortest = || Some(planner.route_among(&map.mesh, PathAlgorithm::Exact, starts, goals).ok()?.1);
-        choose(&[start, goal], ON_SIDES, |place| place.face, shortest)
+        choose_side(map, wishes, ends, shortest)
     }
 
     /// The answer with these routes, or with what lies apart.

@@ -35,8 +35,8 @@ Examples:
 pub(super) struct Args {
     #[command(flatten)]
     pub(super) map: MapArgs,
-    /// Where the line starts, and where it is to end: x y x y, as the file has them; on a floor whose heights
-    /// differ x y z x y z, too
+    /// Where the line starts, and where it is to end: x y x y, as the file has them; on a floor in space
+    /// (--up) x y z x y z, too
     #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
     pub(super) ends: Vec<f64>,
     /// The face to start from, where holes touch in the start
@@ -61,13 +61,14 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => return space::raycast::run(&ground, args, target.as_ref(), out),
     };
-    let [x0, y0, x1, y1] = args.ends[..] else {
-        return Err(Failure::input("a line has two ends", "give x y of the start and x y of the end"));
-    };
     let map = args.map.open_draft(draft, &[])?;
-    let wish = Wish { what: "start", coordinates: [x0, y0], face: args.start_face };
+    let Some([from, to]) = map.flat(&args.ends)? else {
+        let help = "give x y of the start and x y of the end";
+        return Err(map.no_points("a line has two ends", &args.ends, 2, help));
+    };
+    let wish = Wish { what: "start", coordinates: from, face: args.start_face };
     let End { asked, places, moved } = args.snap.wished(&map, &wish)?;
-    let end = map.point([x1, y1]);
+    let end = map.point(to);
     let mut casts = Vec::new();
     for place in places {
         let cast = map.mesh.raycast_from(&place, end).map_err(|error| Failure::about(&map.source, error))?;

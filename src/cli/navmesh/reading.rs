@@ -2,7 +2,7 @@
 
 use super::super::failure::{Failure, say};
 use super::areas::{Area, Names, cut_along};
-use super::map::{Frame, Map};
+use super::map::{Frame, Level, Map};
 use super::numbers::above;
 use super::obstacles::ObstacleArgs;
 use super::space::{Ground, surface_failure};
@@ -105,8 +105,9 @@ pub(super) enum Input {
 
 /// What was read, before it is a map.
 pub(super) enum Draft {
-    /// Polygons that are not joined yet, and what is wrong with them as a navmesh.
-    Polygons { read: Read, faults: Vec<MeshFault> },
+    /// Polygons that are not joined yet, and what is wrong with them as a navmesh; how high they lie in space, if
+    /// all of them are level.
+    Polygons { read: Read, faults: Vec<MeshFault>, level: Option<Level> },
     /// The regions of a grid map.
     Regions(Subdivision),
     /// Anything else.
@@ -211,9 +212,11 @@ impl MapArgs {
             return plane(Draft::Other(read));
         };
         let in_space = soup.has_z;
+        let mut level = None;
         match self.up() {
             Some(up) => {
                 soup.stand_up(up);
+                level = level_of(soup, up);
                 if let Some(distance) = self.weld.filter(|_| soup.has_z) {
                     self.join(soup, distance)?;
                 }
@@ -242,7 +245,7 @@ impl MapArgs {
         }
         // What is mended is judged afterwards.
         let faults = if self.mend { Vec::new() } else { faults_of(&with_touching_corners(soup), self.orient) };
-        plane(Draft::Polygons { read, faults })
+        plane(Draft::Polygons { read, faults, level })
     }
 
     /// Welds polygons. Tells what was done.
@@ -352,7 +355,7 @@ impl MapArgs {
 
     /// Makes a map of what was read, cut along the sides of areas. Tells what nearly meets.
     pub(super) fn open_draft(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
-        if let Draft::Polygons { read, faults } = &draft
+        if let Draft::Polygons { read, faults, .. } = &draft
             && let Document::Polygons(soup) = &read.document
         {
             let near = faults.iter().filter(|fault| fault.kind() == "nearly-welded");
@@ -385,6 +388,10 @@ impl MapArgs {
                 Names::of(soup)
             }
             _ => Names::default(),
+        };
+        let level = match &draft {
+            Draft::Polygons { level, .. } => *level,
+            _ => None,
         };
         let (mut subdivision, format) = match draft {
             Draft::Regions(regions) => (regions, Format::Map),
@@ -422,7 +429,7 @@ impl MapArgs {
             };
             Failure::input(format!("{source}: {what}"), help)
         })?;
-        let map = Map { source, format, subdivision, mesh, names, known_costs: None, frame };
+        let map = Map { source, format, subdivision, mesh, names, known_costs: None, frame, level };
         if !self.has_obstacles() {
             return Ok(map);
         }
@@ -430,8 +437,15 @@ impl MapArgs {
         let Map { source, subdivision, names, .. } = map;
         let put = self.obstacles.put_in(&source, subdivision, costs.as_ref(), frame);
         let (subdivision, mesh, known_costs) = put?;
-        Ok(Map { source, format, subdivision, mesh, names, known_costs, frame })
+        Ok(Map { source, format, subdivision, mesh, names, known_costs, frame, level })
     }
+}
+
+/// How high polygons lie that stand upright with their third coordinate as the height, if all of them are level.
+fn level_of(soup: &PolygonSoup, up: Axis) -> Option<Level> {
+    let &[_, _, height] = soup.points.first().filter(|_| !soup.has_z)?;
+    let size = soup.points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
+    Some(Level { up, height, slack: 1e-9 * size })
 }
 
 fn no_layer(source: &str, layer: usize, layers: usize) -> Failure {

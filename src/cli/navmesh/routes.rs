@@ -187,16 +187,16 @@ pub(super) fn choose<P: Copy>(
     if starts.len() == 1 && goals.len() == 1 {
         return [starts[0], goals[0]];
     }
-    let [i, k] = shortest().unwrap_or_default();
+    let found = shortest();
+    let [i, k] = found.unwrap_or_default();
     for ((what, at, places), chosen) in ends.iter().zip([i, k]).filter(|((.., places), _)| places.len() > 1) {
         let others: Vec<String> = places.iter().map(|place| face(place).to_string()).collect();
         let (others, face) = (others.join(", "), face(&places[chosen]));
-        say(
-            "note",
-            format_args!(
-                "the {what} {at} is {why}, in {others}: the shortest path is that of {face}; --{what}-face chooses"
-            ),
-        );
+        let told = match found {
+            Some(_) => format!("the shortest path is that of {face}; --{what}-face chooses"),
+            None => "no path begins or ends in any of them".to_owned(),
+        };
+        say("note", format_args!("the {what} {at} is {why}, in {others}: {told}"));
     }
     [starts[i], goals[k]]
 }

@@ -1,6 +1,6 @@
 //! Links between places of a surface: teleports, lifts, reduced_bfs.
 
-use super::super::links::{Found, LinkError, check_costs, over_links};
+use super::super::links::{Found, LinkError, cheapest_pair, check_costs, over_links};
 use super::super::{PathAlgorithm, Work};
 use super::{NavSurface, SurfaceField, SurfacePlanner, SurfacePoint, SurfaceRoute, between};
 use crate::ids::FaceMap;
@@ -72,6 +72,28 @@ impl SurfacePlanner {
         );
         let Found { legs, links, cost, .. } = found.ok_or(LinkError::Unreachable)?;
         Ok(LinkedSurfaceRoute { legs: legs.into_iter().map(|(_, route)| route).collect(), links, cost, work })
+    }
+
+    /// The cheapest of the paths over links from one of the starts to one of the goals, as where faces touch in a vertex; of
+    /// equals the first. With it the numbers of its start and its goal.
+    ///
+    /// Cost: that of [`linked_route`](Self::linked_route) for each pair.
+    ///
+    /// # Errors
+    /// [`LinkError::Unreachable`] if there is no path from any of them to any; any other error of one pair.
+    ///
+    /// # Panics
+    /// As [`linked_route`](Self::linked_route).
+    pub fn linked_route_among(
+        &mut self,
+        surface: &NavSurface,
+        links: &[SurfaceLink],
+        algorithm: PathAlgorithm,
+        costs: Option<&FaceMap<f64>>,
+        [starts, goals]: [&[SurfacePoint]; 2],
+    ) -> Result<(LinkedSurfaceRoute, [usize; 2]), LinkError> {
+        let find = |[i, k]: [usize; 2]| self.linked_route(surface, links, algorithm, costs, [&starts[i], &goals[k]]);
+        cheapest_pair([starts.len(), goals.len()], find, |path| path.cost)
     }
 
     /// How far it is from a place to all vertices over the surface and links, as far as that is no more than `limit`.

@@ -231,7 +231,8 @@ impl SurfacePlanner {
         };
         // Within a component there is a path.
         let unreachable = SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to };
-        let portals = portals.ok_or(unreachable)?;
+        let mut portals = portals.ok_or(unreachable)?;
+        keep_between(surface, [start, goal], &mut portals);
         let first = portals.first().map_or(common.unwrap_or(start.triangle as usize), |portal| portal / 3);
         let mut route = Strip { surface, first, portals: &portals }.pull(start.point, goal.point, costs);
         route.work = self.work;
@@ -568,6 +569,15 @@ impl SurfacePlanner {
         portals.reverse();
         portals
     }
+}
+
+/// Of a row of triangles, by the sides that they are left by, the part from the last one that has the start to the first one
+/// that has the goal: a path leads through no side that one of its ends lies on. O(length of the row).
+fn keep_between(surface: &NavSurface, [start, goal]: [&SurfacePoint; 2], portals: &mut Vec<usize>) {
+    let behind = portals.iter().rev().take_while(|&&portal| surface.is_on_side(goal, portal)).count();
+    portals.truncate(portals.len() - behind);
+    let before = portals.iter().take_while(|&&portal| surface.is_on_side(start, portal)).count();
+    portals.drain(..before);
 }
 
 /// The angle between two directions.

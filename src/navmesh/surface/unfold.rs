@@ -12,6 +12,7 @@ use super::build::normal;
 use super::{NavSurface, SideRecord, Space, SurfaceRoute, between, cross, dot, lerp, minus, next, norm, prev};
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::Point;
+use crate::plane::predicates::orientation;
 
 /// Triangles from one with the start to one with the goal, by the sides that they are left by.
 pub(super) struct Strip<'a> {
@@ -29,7 +30,7 @@ impl Strip<'_> {
         let (portals, [from, to]) = self.unfold(start, goal);
         let mut funnel = Funnel::default();
         funnel.start(Endpoint::free(from));
-        portals.iter().for_each(|&[left, right]| funnel.pass(left, right));
+        between_ends(&portals, [from, to]).iter().for_each(|&[left, right]| funnel.pass(left, right));
         let path = funnel.finish(Endpoint::free(to)).to_vec();
         self.fold([start, goal], &path, &steps(&portals, &path), costs)
     }
@@ -122,6 +123,16 @@ impl Strip<'_> {
         route.faces = faces;
         route
     }
+}
+
+/// The portals without those at the beginning that the start is not in front of, and those at the end that the goal is not
+/// behind: each end lies in the triangle beside such a portal, so it is rounding that brings it onto the portal or across.
+fn between_ends(portals: &[[Endpoint; 2]], [from, to]: [Point; 2]) -> &[[Endpoint; 2]] {
+    let side = |&[left, right]: &[Endpoint; 2], p: Point| orientation(right.point, left.point, p);
+    let first = portals.iter().take_while(|portal| side(portal, from).is_le()).count();
+    let rest = &portals[first..];
+    let last = rest.iter().rev().take_while(|portal| side(portal, to).is_ge()).count();
+    &rest[..rest.len() - last]
 }
 
 impl NavSurface {

@@ -25,13 +25,13 @@ pub(in super::super) fn run(
     let End { places, moved } = ground.end(&wish, &args.snap)?;
     from_each(&told(&args.start), WHERE_FACES_TOUCH, places.iter().map(|place| place.face));
     let start = places[0];
-    let links = args.links.on(ground, &args.snap)?;
+    let links = &args.links.on(ground, &args.snap)?.sides;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let costs = ground.costs(args.costs.areas())?;
     let from = |start: &SurfacePoint| {
         let field = match &costs {
-            Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, costs, &links, start, limit),
-            None => SurfacePlanner::new().linked_distance_field(surface, &links, start, limit),
+            Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, costs, links, start, limit),
+            None => SurfacePlanner::new().linked_distance_field(surface, links, start, limit),
         };
         field.map_err(|error| Failure::about(&ground.source, error))
     };

@@ -4,10 +4,11 @@ use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
+use super::super::extras::Links;
 use super::super::path::Args;
 use super::super::routes::{Linked, Row, WHERE_FACES_TOUCH, answer, choose, tell, tell_linked};
 use super::super::tell::faces;
-use super::{Ground, Wish, points_of};
+use super::{End, Ground, Wish, points_of};
 use dcel_kit::FaceMap;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::navmesh::{
@@ -30,16 +31,15 @@ pub(in super::super) fn run(
     let surface = &ground.surface;
     let ends = [ground.end(&wishes[0], &args.snap)?, ground.end(&wishes[1], &args.snap)?];
     let mut planner = SurfacePlanner::new();
-    let [start, goal] = [0, 1].map(|i| (wishes[i].what, told(wishes[i].numbers), ends[i].places.as_slice()));
-    let (starts, goals) = (start.2, goal.2);
-    let shortest = || Some(planner.route_among(surface, PathAlgorithm::Exact, starts, goals).ok()?.1);
-    let [start, goal] = choose(&[start, goal], WHERE_FACES_TOUCH, |place| place.face, shortest);
-    let moved = ends.map(|end| end.moved);
     let costs = ground.costs(args.extras.areas())?;
     let links = args.extras.links().on(ground, &args.snap)?;
     if !links.is_empty() {
-        return linked(ground, &mut planner, (args, target), costs.as_ref(), &links, ([start, goal], moved), out);
+        return linked(ground, &mut planner, (args, target), (&links, costs.as_ref()), (&wishes, &ends), out);
     }
+    let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
+    let shortest = || Some(planner.route_among(surface, PathAlgorithm::Exact, starts, goals).ok()?.1);
+    let [start, goal] = choose_place(&wishes, &ends, shortest);
+    let moved = ends.map(|end| end.moved);
     let mut routes: Vec<(PathAlgorithm, SurfaceRoute)> = Vec::new();
     for &algorithm in args.algorithm.algorithms() {
         let found = match &costs {
@@ -67,6 +67,16 @@ pub(in super::super) fn run(
         tell(&rows, out)?;
     }
     Ok(Answer::Yes)
+}
+
+/// Of several places at the ends those of the shortest path. Tells which.
+fn choose_place(
+    wishes: &[Wish<'_>; 2],
+    ends: &[End; 2],
+    shortest: impl FnOnce() -> Option<[usize; 2]>,
+) -> [SurfacePoint; 2] {
+    let ends = [0, 1].map(|i| (wishes[i].what, told(wishes[i].numbers), ends[i].places.as_slice()));
+    choose(&ends, WHERE_FACES_TOUCH, |place| place.face, shortest)
 }
 
 fn draw(
@@ -107,20 +117,22 @@ fn linked(
     ground: &Ground,
     planner: &mut SurfacePlanner,
     (args, target): (&Args, Option<&Canvas>),
-    costs: Option<&FaceMap<f64>>,
-    links: &[SurfaceLink],
-    ([start, goal], moved): ([SurfacePoint; 2], [Option<f64>; 2]),
+    (links, costs): (&Links<SurfaceLink>, Option<&FaceMap<f64>>),
+    (wishes, ends): (&[Wish<'_>; 2], &[End; 2]),
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let algorithm = args.over_links()?;
-    let path = match planner.linked_route(&ground.surface, links, algorithm, costs, [&start, &goal]) {
-        Ok(path) => Some(path),
-        Err(LinkError::Unreachable) => None,
+    let sides = ends.each_ref().map(|end| end.places.as_slice());
+    let (path, pair) = match planner.linked_route_among(&ground.surface, &links.sides, algorithm, costs, sides) {
+        Ok((path, pair)) => (Some(path), Some(pair)),
+        Err(LinkError::Unreachable) => (None, None),
         Err(error) => return Err(Failure::about(&ground.source, error)),
     };
+    let moved = ends.each_ref().map(|end| end.moved);
+    let [start, goal] = choose_place(wishes, ends, || pair);
     if let (Some(target), Some(path)) = (target, &path) {
         let legs: Vec<&SurfaceRoute> = path.legs.iter().collect();
-        let used: Vec<SurfaceLink> = path.links.iter().map(|&i| links[i]).collect();
+        let used: Vec<SurfaceLink> = path.links.iter().map(|&i| links.sides[i]).collect();
         let options = ground.options(target, &format!("A path over links through {}", args.map.title()));
         save(target, Storeys::new(&ground.surface).paths(&legs, &used, &[start, goal], &options), out)?;
     }
@@ -129,14 +141,17 @@ fn linked(
         let cost = costs.map(|_| format!(", costs {}", leg.cost)).unwrap_or_default();
         (row(ground, algorithm, leg, None, costs), format!("{}, {} long{cost}", points.join(" "), leg.length))
     };
+    let numbers = path.as_ref().map_or_else(Vec::new, |path| links.numbers(&path.links));
     let linked = path.as_ref().map(|path| {
         let legs = path.legs.iter().map(leg).collect();
-        Linked { cost: path.cost, legs, links: &path.links }
+        Linked { cost: path.cost, legs, links: &numbers }
     });
     let between = |ends: [SurfacePoint; 2]| ends.map(|place| ground.told(place.point));
-    let link = |i: usize| {
-        let [from, to] = between([links[i].from, links[i].to]);
-        format!("{from} -> {to}, costs {}", links[i].cost)
+    let link = |number: usize| {
+        links.first_side(number).map_or_else(String::new, |link| {
+            let [from, to] = between([link.from, link.to]);
+            format!("{from} -> {to}, costs {}", link.cost)
+        })
     };
     let none = || {
         let [from, to] = between([start, goal]);
