@@ -8,8 +8,8 @@
 //!   └───────────────────┘   area that touches nothing is a letter
 //! ```
 
-use super::drawing::{Drawing, Outline};
-use super::pairing::distance;
+use super::drawing::{Drawing, Line, Outline};
+use super::pairing::{distance, lies_on};
 use super::snap::Snap;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -35,6 +35,8 @@ pub(super) struct Beside {
     pub(super) border: usize,
     pub(super) aside: usize,
     pub(super) small: usize,
+    /// Legends that lie over the drawing.
+    pub(super) over: usize,
 }
 
 /// What is left out that is called so.
@@ -56,7 +58,7 @@ pub(super) struct Trim {
     pub(super) tight: Vec<bool>,
     /// What is left out by its name.
     pub(super) called: Called,
-    /// The edges of the reference, of which legends have to lie clear.
+    /// The edges of the reference, over which no legend may lie.
     pub(super) edges: Vec<[Point; 2]>,
 }
 
@@ -95,30 +97,46 @@ impl Trim {
     pub(super) fn all(drawing: &Drawing, edges: Vec<[Point; 2]>) -> Self {
         let mut border = vec![false; drawing.lines.len()];
         for frame in borders(drawing, true) {
-            let slack = ALONG * frame.size();
-            let along = drawing.lines.iter().filter(|line| line.hidden.is_none() && frame.runs_along(line.ends, slack));
+            let along = drawing.lines.iter().filter(|line| line.hidden.is_none() && frame.has(line));
             if along.count() == 0 {
                 continue;
             }
             // With a frame go its ticks.
             for (line, border) in drawing.lines.iter().zip(&mut border) {
-                *border |= frame.runs_along(line.ends, slack) || frame.is_outside(line.ends, slack);
+                *border |= frame.has(line) || frame.extent.is_outside(line.ends, frame.slack());
             }
         }
         let mut tight = vec![false; drawing.lines.len()];
         for frame in borders(drawing, false) {
-            let slack = ALONG * frame.size();
             for (line, tight) in drawing.lines.iter().zip(&mut tight) {
-                *tight |= frame.runs_along(line.ends, slack);
+                *tight |= frame.has(line);
             }
         }
         Self { border, tight, called: Called::Any, edges }
     }
 }
 
-/// The canvas and the filled rectangles that hold all that is drawn, but what runs along their border. Unless `clear`,
-/// what they hold may touch them.
-fn borders(drawing: &Drawing, clear: bool) -> Vec<Extent> {
+/// A frame that may stand round a drawing.
+struct Border {
+    extent: Extent,
+    /// The element that draws it with round corners.
+    rounded: Option<u32>,
+}
+
+impl Border {
+    fn slack(&self) -> f64 {
+        ALONG * self.extent.size()
+    }
+
+    /// Whether a line is one of its sides.
+    fn has(&self, line: &Line) -> bool {
+        self.rounded == Some(line.shape) || self.extent.runs_along(line.ends, self.slack())
+    }
+}
+
+/// The canvas and the filled rectangles that hold all that is drawn, but what runs along their border; and rectangles with
+/// round corners that do so, filled or not. Unless `clear`, what they hold may touch them.
+fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
     let rectangle = |outline: &Outline| {
         let around = Extent::around(outline.points.clone());
         let slack = 1e-6 * around.size();
@@ -126,25 +144,47 @@ fn borders(drawing: &Drawing, clear: bool) -> Vec<Extent> {
         (!outline.curved && outline.points.iter().all(at_corner)).then_some(around)
     };
     let canvas = drawing.canvas.map(|[low, high]| Extent { low, high });
-    let mut all: Vec<Extent> = drawing.outlines.iter().filter_map(rectangle).chain(canvas).collect();
-    all.sort_by(|a, b| b.size().total_cmp(&a.size()));
+    let sharp = drawing.outlines.iter().filter_map(rectangle).chain(canvas);
+    let sharp = sharp.map(|extent| Border { extent, rounded: None });
+    let mut all: Vec<Border> = sharp.chain(rounded(drawing)).collect();
+    all.sort_by(|a, b| b.extent.size().total_cmp(&a.extent.size()));
     all.truncate(BORDERS);
     all.retain(|frame| {
-        let slack = ALONG * frame.size();
+        let slack = frame.slack();
         let room = if clear { slack } else { -slack };
         let mut others = 0;
         let dots = drawing.dots.iter().filter(|dot| !dot.aside).all(|dot| {
             others += 1;
-            frame.holds(dot.at, room)
+            frame.extent.holds(dot.at, room)
         });
         let lines = drawing.lines.iter().filter(|line| !line.aside && line.hidden.is_none()).all(|line| {
-            let along = frame.runs_along(line.ends, slack);
+            let along = frame.has(line);
             others += usize::from(!along);
-            along || line.ends.iter().all(|&p| frame.holds(p, room)) || frame.is_outside(line.ends, slack)
+            along || line.ends.iter().all(|&p| frame.extent.holds(p, room)) || frame.extent.is_outside(line.ends, slack)
         });
         dots && lines && others > 0
     });
     all
+}
+
+/// The rectangles with round corners: elements of four straight lines, each more than half of a side of the box round
+/// them, and of curves between these. O(lines).
+fn rounded(drawing: &Drawing) -> impl Iterator<Item = Border> + '_ {
+    let of_one = drawing.lines.chunk_by(|a, b| a.shape == b.shape).filter(|lines| lines.len() == 4);
+    of_one.filter(|lines| lines.iter().all(|line| line.curved)).filter_map(|lines| {
+        let extent = Extent::around(lines.iter().flat_map(|line| line.ends).collect());
+        let slack = 1e-6 * extent.size();
+        let is_side = |side: [Point; 2]| {
+            let is_part = |line: &&Line| {
+                line.ends.iter().all(|&p| lies_on(p, side, slack))
+                    && distance(line.ends[0], line.ends[1]) > 0.5 * distance(side[0], side[1])
+            };
+            lines.iter().any(|line| is_part(&line))
+        };
+        let corners = extent.corners();
+        let all = (0..4).all(|i| is_side([corners[i], corners[(i + 1) % 4]]));
+        all.then_some(Border { extent, rounded: Some(lines[0].shape) })
+    })
 }
 
 /// An upright rectangle.
@@ -173,6 +213,12 @@ impl Extent {
     pub(super) fn holds(&self, p: Point, slack: f64) -> bool {
         let (x, y) = ((p.x - self.low.x).min(self.high.x - p.x), (p.y - self.low.y).min(self.high.y - p.y));
         x.min(y) > slack
+    }
+
+    /// Whether it reaches as far as another one, but for this part of its size.
+    pub(super) fn reaches(&self, other: &Self, part: f64) -> bool {
+        let slack = part * other.size();
+        [other.low, other.high].iter().all(|&p| self.holds(p, -slack))
     }
 
     /// Whether it reaches as far as another one, or nearly.

@@ -262,7 +262,9 @@ impl<'a> Target<'a> {
         };
         for &edge in graph.edges.iter().filter(|&&edge| !is_stub(edge)) {
             let ends = edge.map(|m| canvas[m as usize]);
-            let radii = edge.map(|m| found.radii[m as usize]);
+            // A circle stands for its vertex, not for more than half of an edge.
+            let half = 0.5 * super::pairing::distance(ends[0], ends[1]);
+            let radii = edge.map(|m| found.radii[m as usize].min(half));
             if let Err(why) = eye.edge(ends, radii, tolerance) {
                 out.edges.push((edge, why));
             }
@@ -334,6 +336,7 @@ impl<'a> Target<'a> {
         if best.frame.turn != Turn::Upright {
             critic.say(Kind::Drawing, best.frame.turn.sentence(), Spot::Nowhere);
         }
+        critic.legends();
         critic.graph();
         critic.dots();
         if options.faces {
@@ -427,6 +430,16 @@ impl Critic<'_> {
 
     pub(super) fn expected(&self) -> &Graph {
         &self.target.sketch.graph
+    }
+
+    /// Legends over the drawing, which are no part of it and may hide something of it.
+    fn legends(&mut self) {
+        let text = match self.found.beside.over {
+            0 => return,
+            1 => "the legend lies over the drawing and is not in the reference: move it to where nothing is drawn",
+            _ => "legends lie over the drawing and are not in the reference: move them to where nothing is drawn",
+        };
+        self.say(Kind::Drawing, text.to_owned(), Spot::Nowhere);
     }
 
     fn graph(&mut self) {

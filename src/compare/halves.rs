@@ -3,8 +3,11 @@
 //!
 //! ```text
 //!   v0 ●───────────────● v1        its line on the left of its edge, between its two vertices;
-//!         ──────────▸              its barb at the end to which it runs, pointing there
+//!         ──────────▸              its barb at the end to which it runs, pointing there: the tip at the end of its
+//!                                  own line, the barb behind it on the outer side
 //! ```
+//!
+//! No line is much further from its edge than those of the others, unless its barb is as large.
 //!
 //! What the reference's own drawing does not show nobody has to show: the same half-edge, by its place, whatever its
 //! number.
@@ -13,7 +16,7 @@ use super::beside::Beside;
 use super::drawing::Drawing;
 use super::eye::Eye;
 use super::links::Links;
-use super::painting::{Area, Part, Shape};
+use super::painting::{Area, Coat, Part, Shape};
 use super::pairing::{distance, span};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
@@ -30,6 +33,14 @@ const SLANT: f64 = 0.05;
 const BEYOND: f64 = 0.02;
 /// A barb begins beyond this part of its edge.
 const HEAD: f64 = 0.45;
+/// How far the tip of a barb may lie from the end of its line: behind it, before it, and across, as parts of its size.
+const TIP: [f64; 3] = [0.25, 1.0, 0.5];
+/// The outer corner of a barb lies at least so far behind the tip, as a part of what lies across, the line's own width
+/// left out.
+const SLIM: f64 = 0.35;
+/// A line is too far from its edge if that is further than this many times the size of its barb, and than this many
+/// times the usual distance in the drawing.
+const FAR: [f64; 2] = [1.6, 1.5];
 
 /// What is wrong with a half-edge as it is drawn.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -90,14 +101,66 @@ impl Along {
         lies_along && a.min(b) > 0.0 && a.max(b) <= ASIDE && (a - b).abs() <= SLANT
     }
 
-    /// Whether the foremost corner of a barb is its tip, and the corner farthest to the left lies behind that.
-    fn has_barb(&self, corners: &[Point]) -> bool {
+    /// How far a line lies from the edge, on the canvas.
+    fn distance(&self, ends: [Point; 2]) -> f64 {
+        let [[_, a], [_, b]] = ends.map(|p| self.place(p));
+        0.5 * (a + b) * self.length
+    }
+
+    /// Whether a barb belongs to a line: its foremost corner is its tip and lies at the end of the line, and the corner
+    /// farthest to the left lies behind that and beyond the line.
+    fn has_barb(&self, line: Stroke, corners: &[Point]) -> bool {
+        let [start, end] = line.ends.map(|p| self.place(p));
+        let front = if end[0] > start[0] { end } else { start };
         let places: Vec<[f64; 2]> = corners.iter().map(|&p| self.place(p)).collect();
         let most = |i: usize| places.iter().max_by(|p, q| p[i].total_cmp(&q[i]));
         let (Some(tip), Some(outer)) = (most(0), most(1)) else { return false };
+        let [long, wide] = sides(&places);
+        let size = long.max(wide);
+        let [ahead, across] = [0, 1].map(|i| tip[i] - front[i]);
+        let is_at_end = ahead >= -TIP[0] * size && ahead <= TIP[1] * size && across.abs() <= TIP[2] * size;
         let is_ahead = places.iter().all(|place| place[0] >= HEAD) && tip[0] <= 1.0 + BEYOND;
-        is_ahead && outer[0] < tip[0] && outer[1] > 0.0 && outer[1] <= 2.0 * ASIDE + 2.0 / self.length
+        let is_behind = outer[0] < tip[0] && tip[0] - outer[0] >= SLIM * (wide - 4.0 * line.half / self.length);
+        let is_aside = outer[1] > front[1] && outer[1] <= 2.0 * ASIDE + 2.0 / self.length;
+        is_at_end && is_ahead && is_behind && is_aside
     }
+
+    /// The size of a barb on the canvas, along the edge or across it.
+    fn size(&self, corners: &[Point]) -> f64 {
+        let [long, wide] = sides(&corners.iter().map(|&p| self.place(p)).collect::<Vec<_>>());
+        long.max(wide) * self.length
+    }
+}
+
+/// The sides of the box round some places.
+fn sides(places: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|i| {
+        let of = places.iter().map(|place| place[i]);
+        of.clone().fold(f64::NEG_INFINITY, f64::max) - of.fold(f64::INFINITY, f64::min)
+    })
+}
+
+/// A line on the canvas, with half its width.
+#[derive(Clone, Copy)]
+struct Stroke {
+    ends: [Point; 2],
+    half: f64,
+}
+
+/// How far the line of a half-edge lies from its edge.
+struct Gap {
+    half_edge: HalfEdgeId,
+    distance: f64,
+    /// The size of its barb.
+    barb: f64,
+}
+
+/// Half-edges whose lines lie far from their edges, where those of others do not.
+fn strayed(mut gaps: Vec<Gap>) -> impl Iterator<Item = HalfEdgeId> {
+    gaps.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let usual = gaps.get(gaps.len().saturating_sub(1) / 2).map_or(0.0, |gap| gap.distance);
+    let is_far = move |gap: &Gap| gap.distance > FAR[0] * gap.barb && gap.distance > FAR[1] * usual;
+    gaps.into_iter().filter(is_far).map(|gap| gap.half_edge)
 }
 
 /// The half-edges of a drawing that are not seen as they are declared.
@@ -110,15 +173,17 @@ fn wrong(drawing: &Drawing, table: &Table) -> Vec<(HalfEdgeId, Wrong)> {
     let places: BTreeMap<&str, Point> =
         drawing.dots.iter().filter_map(|dot| Some((dot.vertex.as_ref()?.0.as_str(), dot.at))).collect();
     let mut out = Vec::new();
+    let mut gaps = Vec::new();
     for half in &drawing.halves {
         let Ok(h) = half.name.parse::<HalfEdgeId>() else { continue };
         let place = |v: Option<VertexId>| places.get(v?.to_string().as_str()).copied();
         let along = place(table.origin(h)).zip(place(destination(table, h))).and_then(|(p, q)| Along::new(p, q));
         let coats = half.coats.clone().map(|i| (i, &drawing.painting.coats[i as usize]));
-        let lines: Vec<[Point; 2]> = coats
-            .clone()
-            .filter_map(|(_, coat)| if let Shape::Stroke(ends, _) = coat.shape { Some(ends) } else { None })
-            .collect();
+        let stroke = |(_, coat): (u32, &Coat)| match coat.shape {
+            Shape::Stroke(ends, half) => Some(Stroke { ends, half }),
+            _ => None,
+        };
+        let lines: Vec<Stroke> = coats.clone().filter_map(stroke).collect();
         let barbs: Vec<(u32, &Area)> = coats
             .filter(|(_, coat)| !matches!(coat.part, Part::Mark(_)))
             .filter_map(|(i, coat)| if let Shape::Area(area) = &coat.shape { Some((i, area)) } else { None })
@@ -131,14 +196,23 @@ fn wrong(drawing: &Drawing, table: &Table) -> Vec<(HalfEdgeId, Wrong)> {
         let Some(along) = along else { continue };
         if lines.is_empty() {
             out.push((h, Wrong::Missing));
-        } else if !lines.iter().any(|&ends| along.has_beside(ends)) {
+            continue;
+        }
+        let beside: Vec<Stroke> = lines.into_iter().filter(|line| along.has_beside(line.ends)).collect();
+        let corners_of = |area: &Area| area.points().collect::<Vec<Point>>();
+        let fits = |area: &Area| beside.iter().any(|&line| along.has_barb(line, &corners_of(area)));
+        if beside.is_empty() {
             out.push((h, Wrong::Elsewhere));
         } else if !barbs.iter().any(|&(i, area)| eye.shows(i, &corners(area))) {
             out.push((h, Wrong::NoBarb));
-        } else if !barbs.iter().any(|(_, area)| along.has_barb(&area.points().collect::<Vec<_>>())) {
+        } else if let Some((_, area)) = barbs.iter().find(|(_, area)| fits(area)) {
+            let distance = beside.iter().map(|line| along.distance(line.ends)).fold(f64::INFINITY, f64::min);
+            gaps.push(Gap { half_edge: h, distance, barb: along.size(&corners_of(area)) });
+        } else {
             out.push((h, Wrong::Backwards));
         }
     }
+    out.extend(strayed(gaps).map(|h| (h, Wrong::Elsewhere)));
     out
 }
 

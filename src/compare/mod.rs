@@ -50,18 +50,19 @@
 //!
 //! **0** Both files are XML within limits (8 MiB, 200,000 elements), without declarations and scripts, all numbers
 //! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
-//! `data-*` attributes, all invariants are checked, vertices are matched by place, half-edges by their ends, and
-//! every pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must
-//! be what is declared, and can be seen: colours are worked out at points along every edge, in every circle and face.
-//! **4** If hardly a point lies where it should, connections are compared without places. Pixels are never compared:
-//! a test of the pixels passes drawings that are wrong and fails drawings that are right.
+//! `data-*` attributes, all invariants are checked, vertices are matched by place, half-edges by their ends, and every
+//! pointer is compared through that map: numbers may differ, and which of its half-edges a vertex or a face names.
+//! **3** What is drawn is always compared, and must be what is declared, and can be seen: colours are worked out at
+//! points along every edge, in every circle and face. **4** If hardly a point lies where it should, connections are
+//! compared without places. Pixels are never compared: a test of the pixels passes drawings that are wrong and fails
+//! drawings that are right.
 //!
 //! # What a program has to write
 //!
 //! | drawn | by |
 //! |---|---|
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
-//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; a small square or cross at the end of a line; a circle there that a marker draws |
+//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure may be left as paper; further corners on its straight sides are no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
@@ -70,37 +71,41 @@
 //! declares nothing. A style also says where a circle, an ellipse, a rectangle or a picture lies and how large it is
 //! (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its paper. Passed over: texts and
 //! markers of ordinary size, labels in a `foreignObject`, curves, what is not displayed, an area round everything
-//! (paper) with the lines along its border and the ticks beyond it, what is called legend or axis and stands clear of
-//! the structure, a legend in a free corner of it or with a box that lets edges shine through, small areas that touch no
-//! vertex (letters), rims of letters and boxes round them, animations of what is not read, and anything else with a note.
-//! A filled outline clear of the structure is no letter: it is a face too many. In the kit's own figures (`data-figure` on
-//! the root) half-edges, pointers and other decoration are passed over, too, but the half-edges that are declared there
-//! have to be seen: each line on the left of its edge, with a barb that points to its end. y points down in SVG: write
-//! `height - y`. A face that a reference drawn by another program lists clockwise may run either way.
+//! (paper) with the lines along its border, sharp or with round corners, and the ticks beyond it, what is called
+//! legend or axis and stands clear of the structure, spines and ticks of matplotlib, a legend in a free corner of it,
+//! without a box, or with one that lets edges shine through (one whose box hides something is told as that), small
+//! areas that touch no vertex (letters), rims of letters and boxes round them, animations of what is not read, and
+//! anything else with a note. A filled outline clear of the structure is no letter: it is a face too many. In the
+//! kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets (but not `--plain` ones, which
+//! say no more what they are) and other decoration are passed over, too, but the half-edges that are declared there
+//! have to be seen: each line on the left of its edge, about as far as others, with a barb behind its tip at the end
+//! of that line. y points down in SVG: write `height - y`. A face that a reference drawn by another program lists
+//! clockwise may run either way.
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
-//! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of anything
-//! that is read, a box in a `foreignObject` that may reach anywhere, and properties that move an element otherwise than
-//! by `transform`; values that browsers work out and a comparison does not (`var(...)`, `calc(...)`, `color-mix(...)`,
-//! widths in `em`), but for `var(...)` as the size of letters, style sheets outside of the file, and an edge or a vertex
-//! behind a mask or a filter. A value that browsers drop, as `stroke: blackish`, is as if it were not written.
+//! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of
+//! anything that is read, a box in a `foreignObject` that may reach anywhere, and properties that move an element
+//! otherwise than by `transform`; values that browsers work out and a comparison does not (`var(...)`, `calc(...)`,
+//! `color-mix(...)`, widths in `em`), but for `var(...)` as the size of letters, style sheets outside of the file, and
+//! an edge or a vertex behind a mask or a filter. A value that browsers drop, as `stroke: blackish`, is as if it were
+//! not written.
 //!
 //! # What has to be seen
 //!
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
 //! the small box of a label may hide its middle, and dashes as usual leave gaps: but no gap of more than 24 px that is
-//! a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and reaches no other vertex. A face
-//! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
-//! off by a clip path or the `viewBox`, left out by dashes, without a size, filled twice under `evenodd`, transparent,
-//! painted by a gradient that is not there, below large letters or markers or letters that have the colour of what lies
-//! round them is told, with the reason. So is a line of less than 0.1 px, of which a screen shows a tenth of the ink, on a
-//! drawing of its own size, but at least 600 px, or 1200 px if it has no size. Of lines over each other it is enough that
-//! one shows: they may be cased or double. What the reference's own drawing hides nobody has to show. Colours themselves
-//! are not compared.
+//! a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and reaches no other vertex; it
+//! hides no more than half of an edge. A face is seen if it has another colour than the paper. So what is covered by
+//! an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by dashes, without a
+//! size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below large letters or
+//! markers or letters that have the colour of what lies round them is told, with the reason. So is a line of less than
+//! 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px
+//! if it has no size. Of lines over each other it is enough that one shows: they may be cased or double. What the
+//! reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
-//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The
-//! outer face may be filled, or not, as long as it hides nothing. A root without width or height shows nothing.
+//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]).
+//! The outer face may be filled, or not, as long as it hides nothing. A root without width or height shows nothing.
 //!
 //! ```text
 //!   <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400">

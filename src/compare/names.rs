@@ -18,10 +18,10 @@ use crate::plane::Point;
 use crate::topology::{Table, View};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A name stands at its half-edge if it is no further from the edge than so many heights of its letters, or than this part
-/// of the edge.
+/// A name stands at its half-edge if its box is no further from the edge than so many heights of its letters, or its
+/// middle than this part of the edge.
 const HEIGHTS: f64 = 4.0;
-const PART: f64 = 0.3;
+const PART: f64 = 0.1;
 
 /// What is drawn as the name of something.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -114,7 +114,7 @@ impl<'a> Around<'a> {
             let ends = place(self.table.origin(h)).zip(place(destination(self.table, h)));
             let Some((from, to)) = ends.filter(|(from, to)| from != to) else { return true };
             let left = (to.x - from.x) * (middle.y - from.y) - (to.y - from.y) * (middle.x - from.x);
-            let reach = (HEIGHTS * coat.thickness()).max(PART * distance(from, to));
+            let reach = (0.5 * coat.diameter() + HEIGHTS * coat.thickness()).max(PART * distance(from, to));
             return left > 0.0 && lies_on(middle, [from, to], reach);
         }
         let covers = |&coat: &u32| self.drawing.painting.coats[coat as usize].covers(middle).0;

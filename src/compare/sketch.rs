@@ -23,7 +23,7 @@ use super::{labels, legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
 use crate::topology::{InnerComponent, View, bounded_cycle};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// A face's outline.
 #[derive(Clone, Debug)]
@@ -111,8 +111,8 @@ impl Sketch {
             rest.take_out(|legend| legend > 0);
             let graph = read(&rest)?.graph;
             let edges: Vec<[Point; 2]> = graph.edges.iter().map(|&edge| graph.ends(edge)).collect();
-            let legends = legends::clear(drawing, &Frame::IDENTITY, &graph.points, &edges);
-            visible.take_out(|legend| legends.contains(&legend));
+            let legends = legends::legends(drawing, &Frame::IDENTITY, &graph.points, &edges);
+            visible.take_out(|legend| legends.get(&legend).is_some_and(|is_clear| *is_clear));
         }
         let mut out = read(&visible)?;
         out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
@@ -147,14 +147,15 @@ impl Sketch {
         trim: &Trim,
     ) -> Result<Self, Fault> {
         let mut snap = Snap::new(expected, tolerance);
-        let mut beside = Beside::default();
+        let mut beside = Beside { border: drawing.axes[0], aside: drawing.axes[1], ..Beside::default() };
         let around = Extent::around(if expected.is_empty() { drawing.points().collect() } else { expected.to_vec() });
         let legends = match trim.called {
-            Called::Nothing => BTreeSet::new(),
-            Called::Legend | Called::Any => legends::clear(drawing, frame, expected, &trim.edges),
+            Called::Nothing => BTreeMap::new(),
+            Called::Legend | Called::Any => legends::legends(drawing, frame, expected, &trim.edges),
         };
+        beside.over = legends.iter().filter(|(_, is_clear)| !**is_clear).count();
         let is_beside = |aside: bool, legend: u32, points: &[Point]| {
-            trim.may_leave_out(aside, legend) && (legends.contains(&legend) || around.is_clear_of(points))
+            trim.may_leave_out(aside, legend) && (legends.contains_key(&legend) || around.is_clear_of(points))
         };
         let mut dots: BTreeMap<u32, (Result<(), Option<Hidden>>, f64)> = BTreeMap::new();
         for dot in &drawing.dots {
@@ -192,7 +193,7 @@ impl Sketch {
             lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
         let size = around.size();
         let mut shapes = Vec::new();
-        for outline in drawing.outlines.iter().filter(|outline| !legends.contains(&outline.legend)) {
+        for outline in drawing.outlines.iter().filter(|outline| !legends.contains_key(&outline.legend)) {
             let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
             let covers = drawing.canvas.is_some_and(|canvas| Extent::around(outline.points.clone()).covers(canvas));
             match kind(outline, &corners, &snap, &around, size) {

@@ -61,6 +61,16 @@ fn structures_are_compared_up_to_their_ids() {
         (Some(1), true),
         "{told:?}"
     );
+    // Which half-edge of its own a face names is free, and the help says so.
+    let mine = folder.read("a.dcel");
+    let named = mine.lines().find(|line| line.starts_with("f1 half_edge h")).expect("a face");
+    let first = named.split(' ').nth(2).expect("a half-edge");
+    let next = mine.lines().find(|line| line.starts_with(&format!("{first} "))).expect("its line");
+    let next = next.split(" next ").nth(1).and_then(|rest| rest.split(' ').next()).expect("another one");
+    folder.write("other-start.dcel", &mine.replace(named, &named.replace(first, next)));
+    folder.dcel("compare a.dcel other-start.dcel --ids").fine();
+    let help = folder.dcel("compare --help").fine().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(help.contains("Which of its half-edges a vertex or a face names is free, and never counts"), "{help}");
     let stdin = folder.read("a.dcel");
     assert_eq!(folder.dcel_with(&stdin, "compare square.obj -").fine(), equal);
     assert_eq!(folder.dcel_with(&stdin, "compare - square.obj").fine(), equal);

@@ -30,6 +30,9 @@ use std::path::{Path, PathBuf};
 /// Two structures, of any format: vertices, edges, faces and all pointers are compared at their places; ids may be
 /// others.
 ///
+/// Which of its half-edges a vertex or a face names is free, and never counts: not with --ids, and in drawings not in
+/// data-he. It has to be one of its own.
+///
 /// Exit code 0: equal; 1: different; 2: a file cannot be read.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -37,7 +40,8 @@ What is read of drawings:
   edges     <line>, <polyline>, <polygon>, <rect>, and <path>,
             if they have a stroke that can be seen; a line
             through several vertices is several edges
-  vertices  <circle>, or a small round <path>
+  vertices  <circle>, or a small round <path>; a small square,
+            triangle, polygon, star or cross at the end of a line
   faces     filled <polygon>, <path>, <rect>: the corners of a
             bounded face, counter-clockwise
   around    <g>, <use>, <symbol>, transform, clip-path, units,
@@ -45,7 +49,8 @@ What is read of drawings:
 What hides an edge, a circle or a face is reported: draw faces first,
 then lines, then circles; what a mask or a filter may hide is
 refused. Texts and boxes round them, curves, backgrounds and frames,
-and what is called legend or axis are passed over. y points down
+and what is called legend or axis are passed over; a legend whose box
+lies over the drawing is to be moved. y points down
 in SVG: draw y as height - y, with two decimals or more. An edge
 may be drawn twice. Drawings of matplotlib, TikZ, Inkscape, cairo,
 svgwrite and drawsvg are read as they come.
@@ -110,7 +115,7 @@ struct Built {
     /// Positions need not be the same: only what is joined to what
     #[arg(long, conflicts_with = "names")]
     no_positions: bool,
-    /// Ids must be the same, too
+    /// Ids must be the same, too; not which half-edge a vertex or a face names
     #[arg(long)]
     ids: bool,
 }

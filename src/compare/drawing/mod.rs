@@ -8,9 +8,10 @@
 //! ```
 //!
 //! y is turned round at once: all points here have y up. In the kit's own figures (`data-figure` on the root) the
-//! half-edges, pointers and hatches beside the edges are decoration: they can hide, and nothing else.
+//! half-edges, pointers and hatches beside the edges, tables and insets are decoration: they can hide, and nothing else.
 //!
 //! ```text
+//!   axes.rs    Axes of matplotlib
 //!   clips.rs   Clip paths
 //!   foreign.rs What stands in a foreignObject
 //!   lengths.rs Lengths of elements, by style and by attribute
@@ -21,6 +22,7 @@
 //!   stamps.rs  Vertices drawn as squares or crosses
 //! ```
 
+mod axes;
 mod clips;
 mod foreign;
 mod lengths;
@@ -67,6 +69,14 @@ const OFF: f64 = 0.25;
 const GROUND: f64 = 1e5;
 /// Words in ids and classes of what stands beside a drawing.
 const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"];
+
+/// What is no part of the structure in the kit's own figures: how its ids end, and its classes. Labels outside of their
+/// faces have lines and dots of their own; tables have rules; an inset shows a part of the structure again, and leaders
+/// lead to it.
+const DECORATION: [&[&str]; 2] = [
+    &["-label", "-table-vertices", "-table-half-edges", "-table-faces"],
+    &["he", "ptr", "hatched", "table", "inset", "leader"],
+];
 
 /// A circle.
 #[derive(Clone, PartialEq, Debug)]
@@ -145,6 +155,8 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) ground: Option<u32>,
     /// The part of the plane that is shown: lowest and highest corner.
     pub(in crate::compare) canvas: Option<[Point; 2]>,
+    /// What is passed over as a part of axes: lines of frames, and ticks and lines of grids.
+    pub(in crate::compare) axes: [usize; 2],
     /// What was not read.
     pub(in crate::compare) notes: Vec<String>,
 }
@@ -264,6 +276,8 @@ pub(in crate::compare) struct Around {
     /// The room that percentages are parts of.
     pub(in crate::compare) room: Option<Room>,
     pub(in crate::compare) aside: bool,
+    /// Where it stands in axes as matplotlib draws them.
+    pub(in crate::compare) axes: Option<axes::Axes>,
     /// The number of the legend around, from 1.
     pub(in crate::compare) legend: u32,
     /// Whether it is decoration of the kit, which can only hide.
@@ -456,13 +470,13 @@ impl<'a, 'i> Reader<'a, 'i> {
         let names = [id].into_iter().chain(classes()).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
         let has_word = |is: fn(&str) -> bool| names.split(|c: char| !c.is_ascii_alphabetic()).any(is);
         out.aside |= has_word(is_aside);
+        out.axes = outer.axes.or_else(|| axes::part(node, &out.transform));
         if out.legend == 0 && has_word(|word| word == "legend") {
             self.legends += 1;
             out.legend = self.legends;
         }
-        // The labels outside of their faces have lines and dots of their own.
-        let decoration = ["he", "ptr", "hatched"];
-        let decorates = id.ends_with("-label") || classes().any(|class| decoration.contains(&class));
+        let decorates =
+            DECORATION[0].iter().any(|end| id.ends_with(end)) || classes().any(|class| DECORATION[1].contains(&class));
         out.decorates |= self.kit && (decorates || declared::is_half_edge(node));
         Ok(Some(out))
     }

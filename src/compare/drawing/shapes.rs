@@ -178,7 +178,10 @@ impl<'a, 'i> Reader<'a, 'i> {
             }
             if from != to && !around.decorates {
                 curves |= curved && hidden.is_none();
-                if !curved && (what == "line" || !ink.fills() || hidden.is_none()) {
+                let is_line = !curved && (what == "line" || !ink.fills() || hidden.is_none());
+                if let Some(axes) = around.axes.filter(|axes| is_line && axes.has([from, to])) {
+                    self.out.axes[axes.number()] += 1;
+                } else if is_line {
                     self.out.lines.push(Line {
                         ends: [from, to],
                         hidden: why,

@@ -1,17 +1,18 @@
-//! Vertices drawn as small squares or crosses, as plotting programs do.
+//! Vertices drawn as small squares, other small figures or crosses, as plotting programs do.
 //!
 //! ```text
 //!   ■──────□      a square, filled or hollow, whose middle is the end of a line
-//!   │      │
+//!   │      ▲      a triangle, a star, a polygon about such an end, at whose corners nothing else ends
 //!   ✕──────+      two short lines of one length that cross in their middles, there
 //! ```
 //!
-//! Each becomes a dot where it stands, as large as a circle in it. Only stamps of the size of most others count, and
-//! none where a circle is drawn.
+//! Each becomes a dot where it stands, as large as a circle in it. Only stamps of the size of most others at ends of lines
+//! count, and none where a circle is drawn.
 
 use super::{Dot, Drawing, Line};
 use crate::compare::painting::{Disc, Part, Shape};
 use crate::compare::pairing::{Places, distance, span};
+use crate::geometry::point;
 use crate::plane::Point;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -23,11 +24,36 @@ const FIT: f64 = 0.03;
 /// How near to the end of a line its middle lies, as a part of the drawing.
 const NEAR: f64 = 1e-4;
 
-/// A square or a cross.
+/// Corners of a figure that is no square: at least, and at most.
+const CORNERS: [usize; 2] = [3, 12];
+/// The nearest point of a figure is at least so far from its middle, as a part of the farthest.
+const STOUT: f64 = 0.3;
+/// The corners of a figure are no farther from its middle than this part of the largest size.
+const WIDE: f64 = 0.75;
+
+/// A square, another figure or a cross.
 struct Stamp {
     shape: u32,
+    /// Where it stands, or may stand.
+    middles: [Point; 2],
+    /// The radius of the circle that stands for it about each.
+    radii: [f64; 2],
+    is_hollow: bool,
+    /// Its corners, if something else may end there.
+    corners: Vec<Point>,
+}
+
+impl Stamp {
+    /// A stamp that can stand in one place only.
+    fn one(shape: u32, (at, radius): (Point, f64), is_hollow: bool) -> Self {
+        Self { shape, middles: [at; 2], radii: [radius; 2], is_hollow, corners: Vec::new() }
+    }
+}
+
+/// A stamp at a vertex.
+struct Placed {
+    shape: u32,
     at: Point,
-    /// The radius of the circle that stands for it.
     radius: f64,
     is_hollow: bool,
 }
@@ -36,22 +62,29 @@ struct Stamp {
 pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
     let size = span(&drawing.points().collect::<Vec<Point>>());
     let found = stamps(drawing, SMALL * size);
-    let Some(usual) = usual(&found) else { return };
-    let shapes: Vec<u32> = found.iter().map(|stamp| stamp.shape).collect();
-    let others = drawing.lines.iter().filter(|line| shapes.binary_search(&line.shape).is_err());
-    let ends: Vec<Point> = others.flat_map(|line| line.ends).collect();
+    if found.is_empty() {
+        return;
+    }
     let reach = NEAR * size;
-    let (ends, dots) =
-        (Places::of(&ends, reach), Places::of(&drawing.dots.iter().map(|dot| dot.at).collect::<Vec<_>>(), reach));
-    let is_vertex = |stamp: &&Stamp| {
-        (stamp.radius - usual).abs() <= FIT * usual
-            && ends.near(stamp.at, reach).is_some()
-            && dots.near(stamp.at, reach).is_none()
+    let places = |points: Vec<Point>| Places::of(&points, reach);
+    let ends = |is_stamp: fn(&Stamp) -> bool| {
+        let shapes: Vec<u32> = found.iter().filter(|stamp| is_stamp(stamp)).map(|stamp| stamp.shape).collect();
+        let others = drawing.lines.iter().filter(|line| shapes.binary_search(&line.shape).is_err());
+        places(others.flat_map(|line| line.ends).collect())
     };
-    let vertices: Vec<Stamp> = {
-        let keep: Vec<bool> = found.iter().map(|stamp| is_vertex(&stamp)).collect();
-        found.into_iter().zip(keep).filter(|(_, keep)| *keep).map(|(stamp, _)| stamp).collect()
+    // Small faces may look like figures, and their corners are ends as well.
+    let (ends, firm) = (ends(|stamp| stamp.corners.is_empty()), ends(|_| true));
+    let dots = places(drawing.dots.iter().map(|dot| dot.at).collect());
+    let place = |stamp: &Stamp| {
+        let is_vertex = |p: Point| ends.near(p, reach).is_some() && dots.near(p, reach).is_none();
+        let is_free = stamp.corners.iter().all(|&p| firm.near(p, reach).is_none() && dots.near(p, reach).is_none());
+        let i = (0..2).find(|&i| is_free && is_vertex(stamp.middles[i]))?;
+        let Stamp { shape, is_hollow, .. } = *stamp;
+        Some(Placed { shape, at: stamp.middles[i], radius: stamp.radii[i], is_hollow })
     };
+    let mut vertices: Vec<Placed> = found.iter().filter_map(place).collect();
+    let Some(usual) = usual(&vertices) else { return };
+    vertices.retain(|stamp| (stamp.radius - usual).abs() <= FIT * usual);
     let gone: Vec<u32> = vertices.iter().map(|stamp| stamp.shape).collect();
     let stays = |shape: u32| gone.binary_search(&shape).is_err();
     drawing.lines.retain(|line| stays(line.shape));
@@ -70,19 +103,19 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
 }
 
 /// The size of most stamps.
-fn usual(found: &[Stamp]) -> Option<f64> {
+fn usual(found: &[Placed]) -> Option<f64> {
     let mut sizes: Vec<f64> = found.iter().map(|stamp| stamp.radius).collect();
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied()
 }
 
-/// All squares and crosses up to a size, by their shapes.
+/// All squares, figures and crosses up to a size, by their shapes.
 fn stamps(drawing: &Drawing, largest: f64) -> Vec<Stamp> {
     let mut shapes: BTreeMap<u32, (Vec<&Line>, Vec<&[Point]>)> = BTreeMap::new();
     for line in drawing.lines.iter().filter(|line| !line.aside && line.hidden.is_none()) {
         let lines = &mut shapes.entry(line.shape).or_default().0;
-        // More lines than a square has make nothing here.
-        if lines.len() < 5 {
+        // With more lines there is no figure here.
+        if lines.len() <= CORNERS[1] {
             lines.push(line);
         }
     }
@@ -92,15 +125,68 @@ fn stamps(drawing: &Drawing, largest: f64) -> Vec<Stamp> {
         shapes.entry(outline.shape).or_default().1.push(&outline.points);
     }
     let stamp = |(shape, (lines, outlines)): (u32, (Vec<&Line>, Vec<&[Point]>))| {
-        let (at, radius, is_hollow) = match (&lines[..], &outlines[..]) {
-            ([] | [_, _, _, _], [points]) => square(points).map(|(at, radius)| (at, radius, false)),
-            ([a, b, c, d], []) => square(&[a, b, c, d].map(|line| line.ends[0])).map(|(at, radius)| (at, radius, true)),
-            ([a, b], []) => cross(a.ends, b.ends).map(|(at, radius)| (at, radius, false)),
-            _ => None,
-        }?;
-        (radius <= 0.5 * largest).then_some(Stamp { shape, at, radius, is_hollow })
+        if let [a, b] = &lines[..] {
+            let cross = cross(a.ends, b.ends).filter(|_| outlines.is_empty())?;
+            return Some(Stamp::one(shape, cross, false));
+        }
+        let is_closed = lines.iter().zip(lines.iter().cycle().skip(1)).all(|(a, b)| a.ends[1] == b.ends[0]);
+        let corners: Vec<Point> = match &outlines[..] {
+            [points] if lines.is_empty() || lines.len() == open(points).len() => open(points).to_vec(),
+            [] if is_closed => lines.iter().map(|line| line.ends[0]).collect(),
+            _ => return None,
+        };
+        let is_hollow = outlines.is_empty();
+        let square = square(&corners).map(|square| Stamp::one(shape, square, is_hollow));
+        square.or_else(|| figure(shape, corners, is_hollow, WIDE * largest))
     };
-    shapes.into_iter().filter_map(stamp).collect()
+    let is_small = |stamp: &Stamp| stamp.radii.iter().all(|radius| *radius <= 0.5 * largest);
+    shapes.into_iter().filter_map(stamp).filter(is_small).collect()
+}
+
+/// The corners of an outline, each once.
+fn open(points: &[Point]) -> &[Point] {
+    let closed = points.len() > 1 && points.first() == points.last();
+    &points[..points.len() - usize::from(closed)]
+}
+
+/// A figure of few corners about the middle of these, or about the middle of their box, if that lies well inside; which
+/// of both it is shows the end of a line there. No corner is farther away than this.
+fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Option<Stamp> {
+    let count = corners.len();
+    if !(CORNERS[0]..=CORNERS[1]).contains(&count) {
+        return None;
+    }
+    let part = 1.0 / count as f64;
+    let mean = corners.iter().fold(Point::new(0.0, 0.0), |at, p| Point::new(at.x + part * p.x, at.y + part * p.y));
+    let [low, high] = point::corners(corners.iter().copied());
+    let inner = |p: Point| {
+        let sides = (0..count).map(|i| [corners[i], corners[(i + 1) % count]]);
+        let near = sides.map(|side| distance(p, nearest(p, side))).fold(f64::INFINITY, f64::min);
+        let far = corners.iter().map(|&q| distance(p, q)).fold(0.0, f64::max);
+        (near >= STOUT * far && far > 0.0 && far <= farthest && is_inside(p, &corners)).then_some((p, near))
+    };
+    // A triangle of a plotting program stands about the middle of its box.
+    let mut found = [mean, middle(low, high)].into_iter().filter_map(inner);
+    let first = found.next()?;
+    let second = found.next().unwrap_or(first);
+    Some(Stamp { shape, middles: [first.0, second.0], radii: [first.1, second.1], is_hollow, corners })
+}
+
+/// Whether a point lies inside a figure, by how often its sides cross the way to the right.
+fn is_inside(p: Point, corners: &[Point]) -> bool {
+    let crosses = |&i: &usize| {
+        let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
+        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    };
+    (0..corners.len()).filter(crosses).count() % 2 == 1
+}
+
+/// The point of a side that is nearest to another.
+fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
+    let (x, y) = (b.x - a.x, b.y - a.y);
+    let squared = x * x + y * y;
+    let t = if squared > 0.0 { (((p.x - a.x) * x + (p.y - a.y) * y) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    Point::new(a.x + t * x, a.y + t * y)
 }
 
 fn middle(p: Point, q: Point) -> Point {
@@ -109,8 +195,7 @@ fn middle(p: Point, q: Point) -> Point {
 
 /// The middle of a square, and half its side.
 fn square(points: &[Point]) -> Option<(Point, f64)> {
-    let closed = points.len() == 5 && points[0] == points[4];
-    let &[a, b, c, d] = points.get(..if closed { 4 } else { points.len() })? else { return None };
+    let &[a, b, c, d] = points else { return None };
     let (side, diagonal) = (distance(a, b), distance(a, c));
     let slack = FIT * side;
     let even = [(b, c), (c, d), (d, a)].iter().all(|(p, q)| (distance(*p, *q) - side).abs() <= slack);
@@ -129,7 +214,7 @@ fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(Point, f64)> {
 }
 
 /// The coats of a stamp become one disc.
-fn repaint(drawing: &mut Drawing, stamp: &Stamp, coats: Range<u32>) {
+fn repaint(drawing: &mut Drawing, stamp: &Placed, coats: Range<u32>) {
     let one = 1.0 / stamp.radius;
     let from = if stamp.is_hollow { 0.7 } else { 0.0 };
     let disc = Disc { centre: stamp.at, inverse: [one, 0.0, 0.0, one], from, to: 1.0, reach: stamp.radius };

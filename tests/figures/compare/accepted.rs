@@ -325,6 +325,44 @@ fn vertices_may_be_squares_or_crosses() {
     equal(&plain().replacen("</svg>", &format!("{}</svg>", boxes.concat()), 1));
 }
 
+#[test]
+fn vertices_may_be_small_figures() {
+    // Corners about a vertex, as plotting programs have them; those of the triangles lie about the middle of their box.
+    let ring = |count: u32, inner: f64, turn: f64| {
+        let corner = move |i: u32| {
+            let angle = turn + std::f64::consts::TAU * f64::from(i) / f64::from(count);
+            let radius = if i % 2 == 1 { 5.0 * inner } else { 5.0 };
+            [radius * angle.sin(), -radius * angle.cos()]
+        };
+        (0..count).map(corner).collect::<Vec<P>>()
+    };
+    let triangle = |side: f64| vec![[0.0, -side], [-4.0, side], [4.0, side]];
+    let figures = [
+        ring(5, 1.0, 0.0),
+        ring(6, 1.0, 0.0),
+        ring(6, 1.0, 0.5),
+        ring(8, 1.0, 0.4),
+        ring(10, 0.381_966, 0.0),
+        ring(3, 1.0, 0.0),
+        triangle(4.0),
+        triangle(-4.0),
+    ];
+    for figure in figures {
+        for style in ["", "fill=\"gold\" stroke=\"red\"", "fill=\"none\" stroke=\"red\" stroke-width=\"1.5\""] {
+            let at = |[x, y]: P| {
+                let points: Vec<String> = figure.iter().map(|[a, b]| format!("{:.4} {:.4}", x + a, y + b)).collect();
+                format!("<path d=\"M{}z\" {style}/>", points.join("L"))
+            };
+            let svg = drawn(line, at, area);
+            equal(&svg);
+            let lines: Vec<&str> = svg.lines().collect();
+            let without = [&lines[..lines.len() - 2], &lines[lines.len() - 1..]].concat().join("\n");
+            says(&without, "is missing: no circle is drawn there");
+            assert!(!judge(&plain(), &drawn(line, |[x, y]| at([x + 2.0, y]), area)).is_equal());
+        }
+    }
+}
+
 /// The drawing without circles; each line has this marker at its ends.
 fn marked(marker: &str, line: &str) -> String {
     let bare = drawn(

@@ -4,6 +4,7 @@ use super::pen::{Pen, table};
 use super::{judge, kit, ship};
 use dcel_kit::FaceId;
 use dcel_kit::compare::{Options, compare};
+use dcel_kit::figure::{self, Detail, FigureOptions};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 
@@ -74,6 +75,78 @@ fn barbs_point_to_the_ends_of_their_half_edges() {
     says(&swapped, "2 half-edges have barbs that do not point to the ends of them: h0, h1");
 }
 
+/// Moves what a line of a figure draws.
+fn moved(lines: &mut [String], name: &str, start: &str, transform: &str) {
+    let at = within(lines, name, start);
+    lines[at] = lines[at].replacen(" class", &format!(" transform=\"{transform}\" class"), 1);
+}
+
+/// The place at which a path of a figure starts: the tip of a barb.
+fn start_of(line: &str) -> [f64; 2] {
+    let data = &line[line.find(" d=\"m").unwrap() + 5..];
+    let end = |rest: &str| {
+        let is_part = |(i, c): (usize, char)| c.is_ascii_digit() || c == '.' || i == 0 && c == '-';
+        rest.char_indices().find(|&at| !is_part(at)).unwrap().0
+    };
+    let (x, rest) = data.split_at(end(data));
+    let rest = rest.trim_start();
+    [x, &rest[..end(rest)]].map(|number| number.parse().unwrap())
+}
+
+#[test]
+fn barbs_lie_behind_their_tips_at_the_ends_of_their_own_lines() {
+    let names: Vec<String> = (0..66).map(|h| format!("h{h}")).collect();
+    for angle in [90, 135, 180, -90, -45] {
+        let turned = changed(|lines| {
+            for name in &names {
+                let [x, y] = start_of(&lines[within(lines, name, BARB)]);
+                moved(lines, name, BARB, &format!("rotate({angle} {x} {y})"));
+            }
+        });
+        says(&turned, "66 half-edges have barbs that do not point to the ends of them: h0, h1");
+    }
+    for [x, y] in [[25, 25], [-25, 25], [25, -25], [-25, -25], [12, 0], [0, 12]] {
+        for name in ["h0", "h7", "h20"] {
+            let shifted = changed(|lines| moved(lines, name, BARB, &format!("translate({x} {y})")));
+            says(&shifted, &format!("1 half-edge has a barb that does not point to the end of it: {name}"));
+        }
+    }
+}
+
+#[test]
+fn lines_are_as_far_from_their_edges_as_others_are() {
+    let reference = reference();
+    let mut seen = 0;
+    for name in (0..66).map(|h| format!("h{h}")) {
+        for [x, y] in [[14, 14], [-14, 14], [14, -14], [-14, -14]] {
+            let shifted = changed(|lines| {
+                [LINE, BARB].iter().for_each(|start| moved(lines, &name, start, &format!("translate({x} {y})")));
+            });
+            let answer = judge(&reference, &shifted);
+            let [sine, cosine] = direction(&reference, &name);
+            // To the left, with y down.
+            if f64::from(x) * sine - f64::from(y) * cosine > 11.5 {
+                let said = format!("1 half-edge is not drawn on the left of its edge, from vertex to vertex: {name}");
+                assert!(answer.text().contains(&said), "{name} {x} {y}: {}", answer.text());
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
+/// The direction of the line of a half-edge on the canvas: how far down it runs, and how far to the right.
+fn direction(svg: &str, name: &str) -> [f64; 2] {
+    let lines: Vec<String> = svg.lines().map(str::to_owned).collect();
+    let line = &lines[within(&lines, name, LINE)];
+    let [x, u, y, v] = [" x1=\"", " x2=\"", " y1=\"", " y2=\""].map(|key| {
+        let rest = &line[line.find(key).unwrap() + key.len()..];
+        rest[..rest.find('"').unwrap()].parse::<f64>().unwrap()
+    });
+    let length = (u - x).hypot(v - y);
+    [(v - y) / length, (u - x) / length]
+}
+
 /// All figures of the kit are drawn as they declare, whatever else they show.
 #[test]
 fn the_figures_of_the_kit_show_what_they_declare() {
@@ -133,6 +206,28 @@ fn names_say_what_they_name_and_stand_where_it_is() {
 }
 
 #[test]
+fn names_of_half_edges_stand_at_their_edges() {
+    let reference = reference();
+    let mut seen = 0;
+    for name in (0..66).map(|h| format!("h{h}")) {
+        let [sine, cosine] = direction(&reference, &name);
+        let lines: Vec<String> = reference.lines().map(str::to_owned).collect();
+        if !lines[within(&lines, &name, "<text")].contains(&format!(">{name}<")) {
+            continue;
+        }
+        seen += 1;
+        // To the left of its own line, by so many px.
+        for (far, stays) in [(12.0, true), (95.0, false)] {
+            let shift = format!("translate({} {})", far * sine, -far * cosine);
+            let answer = named(&changed(|lines| moved(lines, &name, NAME, &shift)));
+            let said = ["does not stand where", "cannot be seen"].map(|said| format!("the name of {name} {said}"));
+            assert!(said.iter().any(|said| answer.contains(said)) != stays, "{name} {far}: {answer}");
+        }
+    }
+    assert!(seen > 40, "{seen}");
+}
+
+#[test]
 fn names_of_drawings_that_declare_none_are_refused() {
     let plain = Pen::new(&ship()).svg();
     for [mine, theirs] in [[&plain, &reference()], [&reference(), &plain], [&plain, &plain]] {
@@ -156,4 +251,23 @@ fn figures_with_holes_are_equal_to_themselves() {
     // A face that is none is still missed.
     let unfilled = svg.replacen("class=\"face", "display=\"none\" class=\"face", 1);
     assert!(!judge(&svg, &unfilled).is_equal());
+}
+
+#[test]
+fn tables_and_insets_are_no_part_of_the_structure() {
+    let plane = ship();
+    let options = |name: &str| FigureOptions::new(name).detail(Detail::Full);
+    let inset = figure::inset(&plane, None, &options("ship")).unwrap().to_svg();
+    let tables = |plain: bool| figure::tables(&plane, None, &options("ship").plain(plain)).unwrap().to_svg();
+    let [simple, tabled, bare] = [reference(), tables(false), tables(true)];
+    for other in [&inset, &tabled, &bare] {
+        for [mine, theirs] in [[&simple, other], [other, &simple], [other, &other.replacen("<desc", " <desc", 1)]] {
+            let answer = judge(mine, theirs);
+            assert!(answer.is_equal(), "{}", answer.text());
+        }
+        // An edge less is still one less.
+        let at = other.find("<line class=\"edge\"").or_else(|| other.find("<line fill")).unwrap();
+        let less = format!("{}{}", &other[..at], &other[at + other[at..].find("/>").unwrap() + 2..]);
+        assert!(!judge(&simple, &less).is_equal());
+    }
 }

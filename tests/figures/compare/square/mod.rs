@@ -272,3 +272,131 @@ fn rims_of_letters_as_outlines_are_no_edges() {
     let answer = judge(reference, student);
     assert!(answer.is_equal(), "{}", answer.text());
 }
+
+/// The drawing in axes as matplotlib writes them, with these limits on the canvas and something more in the axes.
+fn plotted(sides: &str, [left, top, right, low]: [f64; 4], more: &str) -> String {
+    let spine = |number: u32, data: String| {
+        format!("<g id=\"patch_{number}\"><path d=\"{data}\" style=\"fill: none; stroke: #000000\"/></g>")
+    };
+    let spines = [
+        spine(3, format!("M {left} {low} L {left} {top}")),
+        spine(4, format!("M {right} {low} L {right} {top}")),
+        spine(5, format!("M {left} {low} L {right} {low}")),
+        spine(6, format!("M {left} {top} L {right} {top}")),
+    ];
+    let tick = |name: &str, data: String| {
+        format!("<g id=\"{name}tick_1\"><g id=\"line2d_1\"><path d=\"{data}\" stroke=\"black\"/></g></g>")
+    };
+    let ticks = [
+        format!("<g id=\"matplotlib.axis_1\">{}</g>", tick("x", format!("M200 {low}v-6"))),
+        format!("<g id=\"matplotlib.axis_2\">{}</g>", tick("y", format!("M{left} 300L{right} 300"))),
+    ];
+    let [spines, ticks] = [spines.concat(), ticks.concat()];
+    let behind = format!(
+        "<g id=\"patch_2\"><path d=\"M{left} {low} L{right} {low} L{right} {top} L{left} {top} z\" style=\"fill: none\"/></g>"
+    );
+    let diagonal = format!("<line {DIAGONAL} stroke=\"black\"/>");
+    document(&format!("<g id=\"axes_1\">{behind}{ticks}{FACES}{sides}{diagonal}{CIRCLES}{spines}{more}</g>"))
+}
+
+const LIMITS: [[f64; 4]; 4] =
+    [[40.0, 10.0, 560.0, 390.0], [62.0, 23.0, 538.0, 380.0], [62.0, 10.0, 580.0, 390.0], [62.0, 100.0, 300.0, 380.0]];
+
+#[test]
+fn axes_of_matplotlib_are_no_edges_wherever_they_lie() {
+    for limits in LIMITS {
+        equal(&plotted(SIDES, limits, ""));
+    }
+    let tight = LIMITS[1];
+    // A spine in place of an edge is no edge, nor is a line of the grid.
+    let open = SIDES.replace("<path d=\"M538 23H62\"/>", "");
+    says(&plotted(&open, tight, ""), "edge between (538, 23) and (62, 23) cannot be seen: it has no stroke");
+    // What is drawn in the axes is no spine: it is clipped, or leans, or is shorter; ticks are level or upright, and short.
+    for path in [
+        "<path clip-path=\"url(#c)\" d=\"M 62 200 L 538 200\"",
+        "<path d=\"M 62 200 L 538 210\"",
+        "<path d=\"M 62 200 L 500 200\"",
+    ] {
+        let more = format!("<g id=\"patch_7\">{path} stroke=\"black\"/></g>");
+        says(&plotted(SIDES, tight, &more), "a line ends at (62, 200), where there is no vertex");
+    }
+    for data in ["M100 100L200 150", "M100 100L200 100"] {
+        let tick = format!("<g id=\"xtick_2\"><path d=\"{data}\" stroke=\"black\"/></g>");
+        let more = format!("<g id=\"matplotlib.axis_1\">{tick}</g>");
+        says(&plotted(SIDES, tight, &more), "a line ends at (100, 100), where there is no vertex");
+    }
+}
+
+/// A key of two symbols over the diagonal, with this box.
+fn keyed(area: &str) -> String {
+    let symbols = "<path d=\"M290 190h30\" stroke=\"black\"/><circle cx=\"305\" cy=\"215\" r=\"4\"/>";
+    with(&format!("<line {DIAGONAL} stroke=\"black\"/><g id=\"legend_1\">{area}{symbols}</g>"))
+}
+
+#[test]
+fn symbols_of_a_legend_are_no_faults_where_it_hides_nothing() {
+    let area = "<rect x=\"280\" y=\"175\" width=\"60\" height=\"60\" fill=\"white\"/>";
+    equal(&keyed(""));
+    equal(&keyed(&area.replace("/>", " fill-opacity=\"0.8\"/>")));
+    let over = judge(REFERENCE, &keyed(area)).text();
+    assert!(over.contains("the legend lies over the drawing and is not in the reference: move it"), "{over}");
+    assert!(!over.contains("vertex at") && !over.contains("a line ends"), "{over}");
+    // Over a vertex, a box hides it more or less.
+    let corner = keyed(&area.replace("/>", " fill-opacity=\"0.8\"/>"));
+    let corner = corner.replace("<g id=\"legend_1\"", "<g transform=\"translate(235 -160)\" id=\"legend_1\"");
+    says(&corner, "the legend lies over the drawing");
+    // A line from a vertex is no symbol.
+    let joined = keyed("<path d=\"M62 380L290 190\" stroke=\"black\"/>");
+    assert!(!judge(REFERENCE, &joined).is_equal());
+}
+
+#[test]
+fn a_frame_may_have_round_corners() {
+    for fill in ["#fafafa", "none"] {
+        let frame = |x: f64, y: f64, round: f64| {
+            let [width, height] = [600.0 - 2.0 * x, 400.0 - 2.0 * y];
+            format!(
+                "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"{round}\" fill=\"{fill}\" \
+                 stroke=\"#999\"/>"
+            )
+        };
+        for round in [3.0, 12.0, 60.0] {
+            let before = frame(5.0, 5.0, round);
+            equal(&document(&format!("{before}{FACES}{SIDES}<line {DIAGONAL} stroke=\"black\"/>{CIRCLES}")));
+        }
+        // It takes the place of no edge, and what does not hold the drawing is no frame.
+        let instead = frame(62.0, 21.5, 8.0);
+        let all = format!("{instead}{FACES}<line {DIAGONAL} stroke=\"black\"/>{CIRCLES}");
+        says(&document(&all), "edge between (62, 380) and (538, 380) is missing");
+        let within = frame(150.0, 100.0, 12.0);
+        assert!(!judge(REFERENCE, &drawn(&within, "stroke=\"black\"")).is_equal(), "{fill}");
+    }
+}
+
+#[test]
+fn a_circle_hides_no_more_than_half_of_an_edge() {
+    let reference = REFERENCE.replace("#f2d7a0", "#fde").replace("#cfe3d4", "#fde");
+    let large = |radius: &str| {
+        let circle = format!("cx=\"62\" cy=\"23\" r=\"{radius}\"");
+        reference.replace("cx=\"62\" cy=\"23\" r=\"4\"", &circle)
+    };
+    tells(&reference, &large("100"), &[]);
+    for radius in ["220", "300"] {
+        let answer = judge(&reference, &large(radius)).text();
+        let said = "edge between (62, 380) and (62, 23) cannot be seen: a circle is drawn over it";
+        assert!(answer.contains(said), "{radius}: {answer}");
+    }
+    // The reference may hide as much itself.
+    tells(&large("220"), &large("221"), &[]);
+}
+
+#[test]
+fn a_small_face_about_a_vertex_is_no_symbol() {
+    let spokes = "<path d=\"M300 180L300 200M280 210L300 200M320 210L300 200\" stroke=\"black\"/>";
+    let closed = "<path d=\"M300 180L280 210L320 210z\" fill=\"none\" stroke=\"black\"/>";
+    let sides = "<path d=\"M300 180L280 210M280 210L320 210M320 210L300 180\" stroke=\"black\"/>";
+    let [one, other] = [closed, sides].map(|face| document(&format!("{SIDES}{spokes}{face}{CIRCLES}")));
+    tells(&one, &other, &[]);
+    tells(&other, &one, &[]);
+    tells(&other, &one.replace("20 210z", "20 210"), &["edge between (300, 180) and (320, 210) is missing"]);
+}
