@@ -108,6 +108,10 @@ fn linear() {
         let map = Subdivision::polygon(&points).expect("a convex face");
         move || NavMesh::new(&map).expect("convex").memory() + mesh_faults(&points, &face, &[]).len()
     });
+    growth("the map of an agent in one face, by corners", &DOUBLED, |count| {
+        let mesh = NavMesh::new(&Subdivision::polygon(&parabola(count)).expect("a convex face")).expect("convex");
+        move || mesh.inset(0.001).expect("room").memory()
+    });
     growth("insert_wall along a strip, by squares", &DOUBLED, |count| {
         let points: Vec<Point> = (0..=count).flat_map(|i| [0.0, 1.0].map(|y| Point::new(i as f64, y))).collect();
         let ends = (0..=count as u32).map(|i| [2 * i, 2 * i + 1]);

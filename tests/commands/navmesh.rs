@@ -918,26 +918,3 @@ fn links_lead_to_and_from_all_sides_of_a_double_corner() {
         );
     }
 }
-
-/// The processor time of a path with a radius in a hall of `corners` corners that is one face.
-fn seconds_with_a_radius(folder: &Folder, corners: u32) -> f64 {
-    let angle = |i: u32| f64::from(i) / f64::from(corners) * std::f64::consts::TAU;
-    let points = (0..corners).map(|i| format!("v {} {}\n", 1000.0 * angle(i).cos(), 1000.0 * angle(i).sin()));
-    let face: Vec<String> = (1..=corners).map(|i| i.to_string()).collect();
-    folder.write(&format!("{corners}.obj"), &format!("{}f {}\n", points.collect::<String>(), face.join(" ")));
-    let dcel = env!("CARGO_BIN_EXE_dcel");
-    let line = format!("TIMEFORMAT=%U; time '{dcel}' navmesh path {corners}.obj 0 0 1 1 --radius 0.001");
-    let output =
-        std::process::Command::new("bash").args(["-c", &line]).current_dir(folder.path(".")).output().expect("bash");
-    assert!(output.status.success(), "{output:?}");
-    let told = String::from_utf8(output.stderr).expect("UTF-8");
-    told.trim().lines().last().and_then(|line| line.parse().ok()).unwrap_or_else(|| panic!("no time in {told}"))
-}
-
-/// Four times as many corners may take eight times as long; all sides of the face for each corner would take sixteen.
-#[test]
-fn a_margin_is_cut_off_in_time_of_the_corners() {
-    let folder = Folder::new();
-    let [small, large] = [4000, 16_000].map(|corners| seconds_with_a_radius(&folder, corners));
-    assert!(large < 8.0 * small.max(0.01), "{small} s, {large} s");
-}
