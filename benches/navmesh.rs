@@ -110,7 +110,7 @@ fn linear() {
     });
     growth("the map of an agent in one face, by corners", &DOUBLED, |count| {
         let mesh = NavMesh::new(&Subdivision::polygon(&parabola(count)).expect("a convex face")).expect("convex");
-        move || mesh.inset(0.001).expect("room").memory()
+        move || mesh.inset(0.001).expect("room").mesh().memory()
     });
     growth("insert_wall along a strip, by squares", &DOUBLED, |count| {
         let points: Vec<Point> = (0..=count).flat_map(|i| [0.0, 1.0].map(|y| Point::new(i as f64, y))).collect();
