@@ -23,7 +23,7 @@ use super::{labels, legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
 use crate::topology::{InnerComponent, View, bounded_cycle};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A face's outline.
 #[derive(Clone, Debug)]
@@ -32,6 +32,8 @@ pub(super) struct Outline {
     pub(super) ring: Vec<u32>,
     /// The name of the face, or nothing.
     pub(super) name: String,
+    /// Whether the face is a hole.
+    hole: bool,
     /// What paints it.
     pub(super) coat: u32,
 }
@@ -91,7 +93,7 @@ impl Sketch {
             let is_free = table.outer_face == Some(f) || table.is_hole(f);
             for (i, ring) in table.half_edge(f).into_iter().chain(further).map(corners).enumerate() {
                 if i == 0 && !is_free && ring.len() > 2 {
-                    out.outlines.push(Outline { ring, name: f.to_string(), coat: u32::MAX });
+                    out.outlines.push(Outline { ring, name: f.to_string(), hole: false, coat: u32::MAX });
                 } else {
                     out.welcome.push(rings::canonical(&ring));
                 }
@@ -116,6 +118,11 @@ impl Sketch {
         }
         let mut out = read(&visible)?;
         out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
+        // Holes may be left as paper; the face round one has the same outline.
+        let holes = out.outlines.iter().filter(|outline| outline.hole).map(|outline| rings::canonical(&outline.ring));
+        let holes: BTreeSet<Vec<u32>> = holes.flat_map(|ring| [rings::reversed(&ring), ring]).collect();
+        out.outlines.retain(|outline| !holes.contains(&rings::canonical(&outline.ring)));
+        out.welcome.extend(holes);
         Ok(out)
     }
 
@@ -248,7 +255,7 @@ impl Sketch {
             }
             let ring = rings::tidy(&ring);
             if ring.len() > 2 {
-                outlines.push(Outline { ring, name: outline.name.clone(), coat: outline.coat });
+                outlines.push(Outline { ring, name: outline.name.clone(), hole: outline.hole, coat: outline.coat });
             }
         }
         let names = vec![String::new(); snap.points.len()];

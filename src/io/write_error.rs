@@ -93,7 +93,7 @@ pub enum WriteError {
         face: FaceId,
     },
     /// Two edges with the same ends, and a format that tells edges by their ends.
-    #[error("{} and {} join the same two vertices, which {format} cannot hold; dcel holds everything", edges[0], edges[1])]
+    #[error("{} and {} join the same two vertices, which {format} cannot hold; split one of them first, or make the shape of more parts", edges[0], edges[1])]
     EdgeTwice {
         /// The edges.
         edges: [EdgeId; 2],
@@ -101,7 +101,7 @@ pub enum WriteError {
         format: &'static str,
     },
     /// An edge with the same face on both sides: a dangling edge, or a bridge.
-    #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything")]
+    #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything of the plane")]
     SameFaceTwice {
         /// One half of the edge.
         half_edge: HalfEdgeId,
@@ -147,7 +147,7 @@ fn by_holes(format: &str) -> &'static str {
     if format == "geojson" {
         "dcel holds everything"
     } else {
-        "geojson writes a hole that touches, dcel holds everything"
+        "of the plane, geojson writes a hole that touches, and dcel holds everything"
     }
 }
 

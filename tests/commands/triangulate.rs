@@ -68,6 +68,8 @@ fn wrong_faces_inputs_and_targets_are_refused() {
     folder.dcel("triangulate square.obj -o square.obj").fails(2, "this is the input itself", "another name");
     folder.dcel("triangulate square.obj -o out").fails(2, "the file name does not say which format", ".dcel");
     folder.dcel("triangulate square.obj --figure no/where.svg").fails(3, "cannot be written", "directory first");
-    folder.dcel("triangulate square.obj --json -o x.dcel").fails(2, "cannot be used with", "");
+    let both = folder.dcel("triangulate square.obj --json -o x.dcel").json();
+    assert_eq!(both, folder.dcel("triangulate square.obj --json").json());
+    assert_eq!(folder.read("x.dcel"), folder.dcel("triangulate square.obj -o -").fine());
     folder.dcel("triangulate missing.obj").fails(2, "missing.obj: cannot be read", "check the name");
 }

@@ -111,6 +111,8 @@ pub(in crate::compare) struct Outline {
     pub(in crate::compare) points: Vec<Point>,
     /// The face that the group round it declares, or nothing.
     pub(in crate::compare) name: String,
+    /// Whether that is a hole.
+    pub(in crate::compare) hole: bool,
     /// What it paints.
     pub(in crate::compare) coat: u32,
     /// Whether some of its sides are curves.

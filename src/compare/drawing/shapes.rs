@@ -100,11 +100,13 @@ impl<'a, 'i> Reader<'a, 'i> {
             return;
         }
         let name = node.parent().map_or_else(String::new, declared::face_name);
+        let hole = node.parent().is_some_and(|group| group.attribute("data-hole") == Some("true"));
         for (points, closed) in placed.iter().filter(|(points, _)| points.len() > 2) {
             if round(points, *closed).is_none() {
                 self.out.outlines.push(Outline {
                     points: points.iter().map(|p| p.0).collect(),
                     name: name.clone(),
+                    hole,
                     coat,
                     curved: points.iter().any(|p| p.1),
                     hidden: around.ink.hidden_fill(),

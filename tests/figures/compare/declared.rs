@@ -1,10 +1,10 @@
 //! What a figure of the kit declares is drawn where it is declared: lines, barbs and names of half-edges.
 
-use super::pen::{Pen, table};
+use super::pen::{P, Pen, table};
 use super::{judge, kit, ship};
 use dcel_kit::FaceId;
 use dcel_kit::compare::{Options, compare};
-use dcel_kit::figure::{self, Detail, FigureOptions};
+use dcel_kit::figure::{self, Detail, FigureOptions, structure};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 
@@ -251,6 +251,25 @@ fn figures_with_holes_are_equal_to_themselves() {
     // A face that is none is still missed.
     let unfilled = svg.replacen("class=\"face", "display=\"none\" class=\"face", 1);
     assert!(!judge(&svg, &unfilled).is_equal());
+    // Of a figure that declares no pointers, too, another program may leave a hole open, or fill it.
+    let simple = structure(&map, &FigureOptions::new("garden").detail(Detail::Edges)).unwrap().to_svg();
+    let pen = Pen::new(&map).moved(|p| p.map(|x| 15.0 * x));
+    let path = |rings: &[Vec<P>]| {
+        let ring = |ring: &Vec<P>| {
+            let corners: Vec<String> = ring.iter().map(|&p| Pen::canvas(p)).map(|[x, y]| format!("{x},{y}")).collect();
+            format!("M{}Z", corners.join(" "))
+        };
+        let data: String = rings.iter().map(ring).collect();
+        format!("<path fill=\"pink\" fill-rule=\"evenodd\" d=\"{data}\"/>")
+    };
+    let drawn = |areas: &[Vec<P>]| {
+        Pen { areas: Vec::new(), ..pen.clone() }.svg().replacen('\n', &format!("\n{}\n", path(areas)), 1)
+    };
+    for areas in [&pen.areas[..], &pen.areas[..1]] {
+        let answer = judge(&simple, &drawn(areas));
+        assert!(answer.is_equal(), "{}", answer.text());
+    }
+    assert!(!judge(&simple, &drawn(&pen.areas[1..])).is_equal());
 }
 
 #[test]
