@@ -101,7 +101,9 @@ pub enum WriteError {
         format: &'static str,
     },
     /// An edge with the same face on both sides: a dangling edge, or a bridge.
-    #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything of the plane")]
+    #[error(
+        "{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything of the plane"
+    )]
     SameFaceTwice {
         /// One half of the edge.
         half_edge: HalfEdgeId,

@@ -118,7 +118,7 @@ fn hole_points_of_a_poly_file_mark_the_faces_around_them() {
     let loaded = load(&path, &LoadOptions::default()).unwrap();
     let Structure::Plane(s) = loaded.structure else { panic!() };
     assert!(s.is_hole(FaceId::new(1)));
-    assert_eq!(loaded.notes, ["1 regional attributes were left out"]);
+    assert_eq!(loaded.notes, ["1 regional attribute was left out"]);
     std::fs::remove_file(folder.path().join("plan.node")).unwrap();
     let error = load(&path, &LoadOptions::default()).unwrap_err().to_string();
     assert!(error.contains("a .node file, is missing"), "{error}");

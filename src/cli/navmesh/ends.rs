@@ -3,6 +3,7 @@
 use super::super::failure::{Failure, say};
 use super::map::Map;
 use super::numbers::{above, number};
+use super::routes::{ON_SIDES, choose};
 use super::tell::{point, refusal};
 use dcel_kit::FaceId;
 use dcel_kit::io::Number;
@@ -146,4 +147,15 @@ impl Snap {
         let failure = Failure::input(format!("{}: the {what} {why}", map.source), help);
         Err(Box::new(Lost { asked, nearest, failure }))
     }
+}
+
+/// Of several places at the ends those of the shortest path. Tells which.
+pub(super) fn choose_side(
+    map: &Map,
+    wishes: &[Wish<'_>; 2],
+    ends: &[End; 2],
+    shortest: impl FnOnce() -> Option<[usize; 2]>,
+) -> [QueryPoint; 2] {
+    let ends = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
+    choose(&ends, ON_SIDES, |place| place.face, shortest)
 }

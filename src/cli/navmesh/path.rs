@@ -4,12 +4,12 @@ use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Canvas, Drawing, save};
-use super::ends::{End, Lost, Snap, Wish};
+use super::ends::{End, Lost, Snap, Wish, choose_side};
 use super::extras::{Extras, Links};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
-use super::routes::{ON_SIDES, Row, answer, choose, tell};
+use super::routes::{Row, answer, tell};
 use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
@@ -271,17 +271,6 @@ fn linked(
         save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, &links.sides, &options), out)?;
     }
     Ok(answer)
-}
-
-/// Of several places at the ends those of the shortest path. Tells which.
-pub(super) fn choose_side(
-    map: &Map,
-    wishes: &[Wish<'_>; 2],
-    ends: &[End; 2],
-    shortest: impl FnOnce() -> Option<[usize; 2]>,
-) -> [QueryPoint; 2] {
-    let ends = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
-    choose(&ends, ON_SIDES, |place| place.face, shortest)
 }
 
 /// Why nothing is left of a map for an agent with a radius: what helps stands behind the colon.
