@@ -328,7 +328,7 @@ fn a_handle_is_shown_by_a_curve_that_does_not_cut() {
         solid.remove_face(FaceId::new(2)).unwrap();
         check(&solid);
     }
-    check(&dcel_kit::solid::grow::Shape::Torus { n: 1, m: 1 }.build().unwrap().polyhedron);
+    check(&Shape::Torus { n: 1, m: 1 }.build().unwrap().polyhedron);
     let mut open = cut_cube(3);
     assert_eq!(open.curve_without_sides(), None);
     open.remove_face(FaceId::new(0)).unwrap();

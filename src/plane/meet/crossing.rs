@@ -129,7 +129,7 @@ impl Crossing {
             }
             // Only what may lie on the grid is looked at exactly.
             let may_be = bounds.low <= centre && centre <= bounds.high;
-            let off = if may_be && (bounds.low == bounds.high || exact(part, centre).is_eq()) {
+            let off = if may_be && (bounds.only().is_some() || exact(part, centre).is_eq()) {
                 0.0
             } else {
                 (centre - bounds.low).abs().max((bounds.high - centre).abs()).next_up()
