@@ -83,7 +83,8 @@ fn whole<'a>(bytes: &'a [u8], source: &str, notes: &mut Vec<String>) -> Result<&
         let bytes = bytes.len();
         let inside = format!("triangle {there} of {said}, counted from 0: {bytes} bytes are not what the count says");
         let help = "the file was cut off, or is no STL file: get it again";
-        return Err(ReadError::whole(source, ReadProblem::Truncated { inside }, help));
+        let offset = Some((HEAD + there * TRIANGLE) as u64);
+        return Err(ReadError { offset, ..ReadError::whole(source, ReadProblem::Truncated { inside }, help) });
     }
     if rest > 0 {
         let left_out = counted(bytes.len() - HEAD - said * TRIANGLE, "byte", "bytes");
