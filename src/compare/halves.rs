@@ -17,7 +17,7 @@ use super::drawing::Drawing;
 use super::eye::Eye;
 use super::links::Links;
 use super::painting::{Area, Coat, Part, Shape};
-use super::pairing::{distance, span};
+use super::pairing::{distance, sides, span};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
 use crate::figure::structure::skeleton::destination;
@@ -130,14 +130,6 @@ impl Along {
         let [long, wide] = sides(&corners.iter().map(|&p| self.place(p)).collect::<Vec<_>>());
         long.max(wide) * self.length
     }
-}
-
-/// The sides of the box round some places.
-fn sides(places: &[[f64; 2]]) -> [f64; 2] {
-    [0, 1].map(|i| {
-        let of = places.iter().map(|place| place[i]);
-        of.clone().fold(f64::NEG_INFINITY, f64::max) - of.fold(f64::INFINITY, f64::min)
-    })
 }
 
 /// A line on the canvas, with half its width.

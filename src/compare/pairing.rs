@@ -79,15 +79,28 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// Whether a point lies on a segment, within the tolerance.
-pub(super) fn lies_on(p: Point, [a, b]: [Point; 2], tolerance: f64) -> bool {
+/// How far a point is from a segment.
+pub(super) fn distance_to(p: Point, [a, b]: [Point; 2]) -> f64 {
     let (x, y) = (b.x - a.x, b.y - a.y);
     let squared = x * x + y * y;
     if squared <= 0.0 {
-        return distance(p, a) <= tolerance;
+        return distance(p, a);
     }
     let t = (((p.x - a.x) * x + (p.y - a.y) * y) / squared).clamp(0.0, 1.0);
-    distance(p, Point::new(a.x + t * x, a.y + t * y)) <= tolerance
+    distance(p, Point::new(a.x + t * x, a.y + t * y))
+}
+
+/// Whether a point lies on a segment, within the tolerance.
+pub(super) fn lies_on(p: Point, segment: [Point; 2], tolerance: f64) -> bool {
+    distance_to(p, segment) <= tolerance
+}
+
+/// The sides of the box round some places.
+pub(super) fn sides(places: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|i| {
+        let of = places.iter().map(|place| place[i]);
+        of.clone().fold(f64::NEG_INFINITY, f64::max) - of.fold(f64::INFINITY, f64::min)
+    })
 }
 
 /// The longer side of the box round all points.

@@ -15,7 +15,8 @@
 //!
 //! Corners with equal coordinates become one point: exactly equal, with -0 = 0, and nothing else. Triangles with two
 //! equal corners are left out, with a note: their other two edges are one, and the triangles behind them meet there.
-//! A file is binary if its length is what the count says, whatever its first word.
+//! A file is binary if its length is what the count says, whatever its first word; another length is noted, or refused if
+//! triangles are missing, where the first word is not `solid` or a byte of the file is zero, which no text has.
 //!
 //! Written as text, or as binary in single precision: then each coordinate is rounded to the nearest single, and
 //! a structure in which two points become one, or a triangle is flat or turned over then, is refused, for it would come
@@ -87,9 +88,8 @@ fn whole<'a>(bytes: &'a [u8], source: &str, notes: &mut Vec<String>) -> Result<&
         return Err(ReadError { offset, ..ReadError::whole(source, ReadProblem::Truncated { inside }, help) });
     }
     if rest > 0 {
-        let left_out = counted(bytes.len() - HEAD - said * TRIANGLE, "byte", "bytes");
-        let are = counted(said, "triangle that is", "triangles that are");
-        notes.push(format!("{left_out} behind the {are} counted were left out"));
+        let left_out = counted(bytes.len() - HEAD - said * TRIANGLE, "byte was", "bytes were");
+        notes.push(format!("{left_out} left out behind {}", counted(said, "counted triangle", "counted triangles")));
         return Ok(&bytes[..HEAD + said * TRIANGLE]);
     }
     if there > said {

@@ -150,7 +150,7 @@ fn more_than_a_binary_file_counts_is_noted_and_fewer_is_refused() {
         let (same, notes) = read(&[&bytes[..], &[7; 4]].concat()).unwrap();
         assert_eq!(
             (&same.faces, &notes[..]),
-            (&soup.faces, &["4 bytes behind the 4 triangles that are counted were left out".to_owned()][..])
+            (&soup.faces, &["4 bytes were left out behind 4 counted triangles".to_owned()][..])
         );
         let error = read(&counted(5)).unwrap_err();
         assert!(error.contains("the data end inside triangle 4 of 5, counted from 0"), "{error}");

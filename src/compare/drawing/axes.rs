@@ -13,7 +13,7 @@
 //! such a group is read as anything else.
 
 use super::{Transform, flipped};
-use crate::compare::pairing::distance;
+use crate::compare::pairing::{distance, sides};
 use crate::compare::path;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -60,8 +60,8 @@ pub(super) fn part(node: Node<'_, '_>, transform: &Transform) -> Option<Axes> {
     }
     let axes = node.parent_element().filter(|_| is_numbered(id, "patch_"))?;
     let spine = only_path(node).filter(|path| !path.has_attribute("clip-path"))?;
-    let (spine, sides) = (size(&points(spine, 2)?), size(&points(behind(axes)?, 4)?));
-    let is_side = |i: usize| (spine[i] - sides[i]).abs() <= FIT * sides[i] && spine[1 - i] <= FIT * sides[1 - i];
+    let (spine, whole) = (sides(&points(spine, 2)?), sides(&points(behind(axes)?, 4)?));
+    let is_side = |i: usize| (spine[i] - whole[i]).abs() <= FIT * whole[i] && spine[1 - i] <= FIT * whole[1 - i];
     (is_side(0) || is_side(1)).then_some(Axes::Spine)
 }
 
@@ -96,12 +96,4 @@ fn points(path: Node<'_, '_>, count: usize) -> Option<Vec<[f64; 2]>> {
         points.pop();
     }
     (only.points.iter().all(|p| !p.1) && points.len() == count).then_some(points)
-}
-
-/// The sides of the box round some points.
-fn size(points: &[[f64; 2]]) -> [f64; 2] {
-    [0, 1].map(|i| {
-        let of = points.iter().map(|p| p[i]);
-        of.clone().fold(f64::NEG_INFINITY, f64::max) - of.fold(f64::INFINITY, f64::min)
-    })
 }

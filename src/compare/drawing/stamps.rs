@@ -10,8 +10,8 @@
 //! count, and none where a circle is drawn.
 
 use super::{Dot, Drawing, Line};
-use crate::compare::painting::{Disc, Part, Shape};
-use crate::compare::pairing::{Places, distance, span};
+use crate::compare::painting::{Area, Disc, Part, Shape};
+use crate::compare::pairing::{Places, distance, distance_to, span};
 use crate::geometry::point;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -159,34 +159,18 @@ fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Op
     let part = 1.0 / count as f64;
     let mean = corners.iter().fold(Point::new(0.0, 0.0), |at, p| Point::new(at.x + part * p.x, at.y + part * p.y));
     let [low, high] = point::corners(corners.iter().copied());
+    let area = Area::new(std::slice::from_ref(&corners), true);
     let inner = |p: Point| {
         let sides = (0..count).map(|i| [corners[i], corners[(i + 1) % count]]);
-        let near = sides.map(|side| distance(p, nearest(p, side))).fold(f64::INFINITY, f64::min);
+        let near = sides.map(|side| distance_to(p, side)).fold(f64::INFINITY, f64::min);
         let far = corners.iter().map(|&q| distance(p, q)).fold(0.0, f64::max);
-        (near >= STOUT * far && far > 0.0 && far <= farthest && is_inside(p, &corners)).then_some((p, near))
+        (near >= STOUT * far && far > 0.0 && far <= farthest && area.covers(p).0).then_some((p, near))
     };
     // A triangle of a plotting program stands about the middle of its box.
     let mut found = [mean, middle(low, high)].into_iter().filter_map(inner);
     let first = found.next()?;
     let second = found.next().unwrap_or(first);
     Some(Stamp { shape, middles: [first.0, second.0], radii: [first.1, second.1], is_hollow, corners })
-}
-
-/// Whether a point lies inside a figure, by how often its sides cross the way to the right.
-fn is_inside(p: Point, corners: &[Point]) -> bool {
-    let crosses = |&i: &usize| {
-        let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
-        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    };
-    (0..corners.len()).filter(crosses).count() % 2 == 1
-}
-
-/// The point of a side that is nearest to another.
-fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
-    let (x, y) = (b.x - a.x, b.y - a.y);
-    let squared = x * x + y * y;
-    let t = if squared > 0.0 { (((p.x - a.x) * x + (p.y - a.y) * y) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    Point::new(a.x + t * x, a.y + t * y)
 }
 
 fn middle(p: Point, q: Point) -> Point {

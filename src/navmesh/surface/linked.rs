@@ -1,4 +1,4 @@
-//! Links between places of a surface: teleports, lifts, reduced_bfs.
+//! Links between places of a surface: teleports, lifts, jumps.
 
 use super::super::links::{Found, LinkError, cheapest_pair, check_costs, over_links};
 use super::super::{PathAlgorithm, Work};
