@@ -7,7 +7,7 @@
 
 use super::{Answer, Failure, Output};
 use clap::builder::ValueHint;
-use clap::{Arg, Command, CommandFactory};
+use clap::{Arg, Command};
 use clap_complete::CompleteEnv;
 use clap_complete::engine::{ArgValueCompleter, PathCompleter};
 use clap_complete::env::Shells;
@@ -54,11 +54,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 /// Answers a shell that asks what may come next, and ends the program; returns if no shell asks.
 pub(crate) fn answer_a_shell() {
-    CompleteEnv::with_factory(|| with_files(super::Cli::command()))
-        .var(VARIABLE)
-        .bin("dcel")
-        .completer("dcel")
-        .complete();
+    CompleteEnv::with_factory(|| with_files(super::command())).var(VARIABLE).bin("dcel").completer("dcel").complete();
 }
 
 /// The command and those below it, with names of files for every argument that is one.

@@ -2,11 +2,11 @@
 
 use super::failure::say;
 use super::input::InputOptions;
-use super::save::{Files, InPlace};
+use super::save::{Files, InPlace, save_as};
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::FaceMap;
-use dcel_kit::io::{Format, LoadError, counted, write, write_path};
+use dcel_kit::io::{Format, LoadError, counted, losses};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 use std::path::PathBuf;
@@ -58,18 +58,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let is_map = matches!(subject.format, Format::Map | Format::Mesh);
     if format == Format::Mesh && is_map {
-        tell_losses(&subject, format);
+        let lost = subject.left_out.notes(false).into_iter().chain(losses(&subject.model(), format));
+        lost.for_each(|note| say("note", note));
         keep_polygons(&mut subject)?;
     }
-    let model = subject.model();
-    if args.to_file.as_os_str() == "-" {
-        write(out, &model, format)
-    } else {
-        write_path(&args.to_file, &model, format)
-    }
-    .map_err(|error| Failure::of_writing(&args.to_file, error))?;
+    // The format is known: no name is asked for.
+    save_as(&args.to_file, Some(format), format, "", &subject.model(), out)?;
     if format != Format::Mesh || !is_map {
-        tell_losses(&subject, format);
+        subject.left_out.notes(format == Format::GeoJson).iter().for_each(|note| say("note", note));
     }
     if subject.format == Format::Map {
         tell_direction(args, format == Format::Mesh);
@@ -161,23 +157,5 @@ fn compact(subject: &mut Subject) {
             subject.names = names;
         }
         Kind::Surface(_) | Kind::Table(_) => say("note", "surfaces are always written without gaps, in their order"),
-    }
-}
-
-fn tell_losses(subject: &Subject, format: Format) {
-    subject.left_out.notes(format == Format::GeoJson).iter().for_each(|note| say("note", note));
-    let named = subject.faces().filter(|&f| subject.name(f).is_some()).count();
-    let keeps_names = matches!(format, Format::GeoJson | Format::Dcel | Format::Tables);
-    if named > 0 && !keeps_names {
-        let lost = counted(named, "name of a face is lost", "names of faces are lost");
-        say("note", format!("{lost}: {format} has none; geojson and dcel keep them"));
-    }
-    let view = subject.view();
-    let holes = subject.faces().filter(|&f| view.is_hole(f)).count();
-    let keeps_holes = matches!(format, Format::Dcel | Format::Tables);
-    if holes > 0 && !keeps_holes {
-        let faces =
-            counted(holes, "hole face is not written: it is a gap", "hole faces are not written: they are the gaps");
-        say("note", format!("{faces} between the polygons"));
     }
 }

@@ -7,7 +7,7 @@ use super::results::Results;
 use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::{self, Figure, FigureOptions};
-use dcel_kit::io::{Model, counted, read_points, source_name};
+use dcel_kit::io::{Model, counted, source_name};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::{EdgeId, EdgeMap};
 use std::io::Write;
@@ -115,8 +115,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 }
 
 fn of_points(args: &Args) -> Result<Made, Failure> {
-    let list = read_points(&args.file, &args.input.for_points()?)?;
-    list.notes.iter().for_each(|note| say("note", note));
+    let list = args.input.points(&args.file)?;
     list.check_room(BYTES_PER_POINT)?;
     let built = Subdivision::delaunay(&list.points).map_err(|error| Failure::about(&list.source, error))?;
     Ok(Made {

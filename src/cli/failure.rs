@@ -144,6 +144,11 @@ impl Failure {
         Self { help: help.to_owned(), ..self }
     }
 
+    /// The same without a part of its help that does not help here.
+    pub(crate) fn without_advice(self, advice: &str) -> Self {
+        Self { help: self.help.replace(advice, ""), ..self }
+    }
+
     /// What is wrong.
     pub(crate) fn what(&self) -> &str {
         &self.what

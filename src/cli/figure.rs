@@ -20,8 +20,9 @@ use std::path::{Path, PathBuf};
 /// broken .dcel file is drawn as far as possible.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-.png and .pdf: out of a dcel that was built with --features png.
-.tex: a document for LaTeX; .tikz: the picture alone.
+  .png, .pdf  out of a dcel that was built with --features png
+  .tex        a document for LaTeX
+  .tikz       the picture alone
 
 Examples:
   dcel figure square.obj -o square.svg
@@ -163,6 +164,10 @@ fn draw(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let files = Files::reading(&args.file).writes("-o", target.path()).writes("--html", args.html.as_deref());
     args.page.files(args.looks.files(files)).check()?;
     let Some(file) = &args.file else {
+        if let Some(flag) = args.input.given() {
+            let what = format!("{flag} cannot be used with --records: no file is read");
+            return Err(Failure::call(what, format!("leave {flag} out")));
+        }
         let options = target.options(args.drawing.options(Path::new("The records of a half-edge structure")));
         target.write(&figure::records(&options), out)?;
         return Ok(Answer::Yes);

@@ -9,11 +9,11 @@ use std::path::PathBuf;
 /// Put the grades of all labs of a course together
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Each RESULTS is what `dcel grade` wrote for a lab of the course: a folder of --results, or a file of --report json=FILE.
-They are settled by the course as it is now, so nothing is graded again when it was changed. Students are told apart by
+Each RESULTS is what `dcel grade` wrote for a lab of the course: a folder of --results, or a file of --report json=FILE. \
+They are settled by the course as it is now, so nothing is graded again when it was changed. Students are told apart by \
 what the reports call them; give `dcel grade` the same --names for all labs.
 
-A lab counts by its weight in the course file. Labs without results do not count yet; a student without a report in a lab
+A lab counts by its weight in the course file. Labs without results do not count yet; a student without a report in a lab \
 that was graded has no points there. Where the grader failed, there is no grade.
 
 Examples:

@@ -3,8 +3,8 @@
 use super::failure::{Failure, say};
 use super::subject::{Kind, Subject};
 use dcel_kit::io::{
-    Document, Format, LoadError, LoadOptions, Read, ReadError, ReadOptions, ReadProblem, Structure, assemble,
-    points_from_text, read_path, read_whole, source_name,
+    Document, Format, LoadError, LoadOptions, PointList, Read, ReadError, ReadOptions, ReadProblem, Structure,
+    assemble, points_from_text, read_path, read_points, read_whole, source_name,
 };
 use dcel_kit::topology::Mode;
 use std::path::Path;
@@ -186,7 +186,6 @@ impl InputOptions {
                     false => "it is for polygons and segments; for a table, dcel validate names what is broken",
                 },
             ),
-            ("--object", self.object.is_some() && format != Format::TopoJson, "only TopoJSON files have objects"),
             (
                 "--drop-degenerate-rings",
                 self.drop_degenerate_rings && !has_rings,
@@ -198,18 +197,24 @@ impl InputOptions {
                 format!("{source}: {flag} cannot be used on {format}: {why}"),
                 format!("leave {flag} out"),
             )),
-            None => Ok(()),
+            None => self.refuse_object(Some(format), source),
         }
     }
 
-    /// How to read the points of a file, of which nothing else is wanted.
-    pub(crate) fn for_points(&self) -> Result<ReadOptions, Failure> {
-        self.for_raw("only the points of the file are read")
+    /// Reads the points of a file, of which nothing else is wanted. Prints the notes on stderr.
+    pub(crate) fn points(&self, file: &Path) -> Result<PointList, Failure> {
+        let list = read_points(file, &self.for_raw("only the points of the file are read")?)?;
+        self.refuse_object(list.format, &list.source)?;
+        list.notes.iter().for_each(|note| say("note", note));
+        Ok(list)
     }
 
     /// How to read a file of which no structure is made; `why` says so.
     pub(crate) fn for_raw(&self, why: &str) -> Result<ReadOptions, Failure> {
         let flags = [
+            ("--drop-degenerate-rings", self.drop_degenerate_rings),
+            ("--full-check", self.full_check),
+            ("--plane", self.plane),
             ("--mend", self.mend),
             ("--split-crossings", self.split_crossings),
             ("--trust", self.trust),
@@ -223,6 +228,16 @@ impl InputOptions {
             }
             None => Ok(self.load_options().read),
         }
+    }
+
+    /// Refuses the name of an object where there are none. Plain points have no format.
+    pub(crate) fn refuse_object(&self, format: Option<Format>, source: &str) -> Result<(), Failure> {
+        if self.object.is_none() || format == Some(Format::TopoJson) {
+            return Ok(());
+        }
+        let format = format.map_or("plain points", Format::name);
+        let what = format!("{source}: --object cannot be used on {format}: only TopoJSON files have objects");
+        Err(Failure::input(what, "leave --object out"))
     }
 
     /// The first flag that is given, if any.

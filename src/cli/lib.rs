@@ -78,14 +78,14 @@ use std::process::ExitCode;
     after_help = "\
 Exit codes: 0 fine, 1 the answer is no (invalid, differs), 2 usage or bad input, 3 the machine failed.
 
-Polygons that overlap, touch or cross are refused by name and place; --mend cuts them where they meet,
+Polygons that overlap, touch or cross are refused by name and place; --mend cuts them where they meet, \
 on every command that reads polygons or segments. --trust skips the check; then nothing is called valid.
 
-Files are written whole or not at all; a failed command leaves the old file as it was. The input is only
+Files are written whole or not at all; a failed command leaves the old file as it was. The input is only \
 written over with --in-place.
 
-With --json an error is JSON on standard output, too: {\"error\": {\"kind\", \"message\", \"place\": {\"file\",
-\"line\", \"column\"} or null, \"notes\", \"help\", \"exit_code\"}}; kind is usage, input or machine. A signal
+With --json an error is JSON on standard output, too: {\"error\": {\"kind\", \"message\", \"place\": {\"file\", \
+\"line\", \"column\"} or null, \"notes\", \"help\", \"exit_code\"}}; kind is usage, input or machine. A signal \
 ends the program without an answer.
 
 `dcel sample --all .` writes the files that the examples of all commands use.
@@ -199,6 +199,15 @@ fn answered() -> ExitCode {
     ended(answer, json, &mut out)
 }
 
+/// The command and those below it. Of the flags for reading, those of the plane are refused by commands on solids, with
+/// the reason; their helps do not offer them.
+fn command() -> clap::Command {
+    const OF_THE_PLANE: [&str; 5] = ["plane", "mend", "split_crossings", "trust", "full_check"];
+    let unoffered = |arg: clap::Arg| if OF_THE_PLANE.contains(&arg.get_id().as_str()) { arg.hide(true) } else { arg };
+    let below_solid = |command: clap::Command| command.mut_args(unoffered);
+    Cli::command().mut_subcommand("solid", |solid| solid.mut_subcommands(below_solid))
+}
+
 /// What the arguments ask for. No option is called by a digit: -1 is a number, also where it will be refused.
 fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Error> {
     fn with_numbers(command: clap::Command) -> clap::Command {
@@ -208,7 +217,7 @@ fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Er
         };
         command.mut_args(numbers).mut_subcommands(with_numbers)
     }
-    let mut command = with_numbers(Cli::command());
+    let mut command = with_numbers(command());
     let mut arguments: Vec<OsString> = arguments.into_iter().map(plain_number).collect();
     // Help about help: `dcel help --help` is `dcel help`.
     if let [_, first, second] = &arguments[..]

@@ -1,7 +1,7 @@
 //! `dcel man`: manual pages, made of the same words as the help.
 
 use super::{Answer, Failure, Output, save};
-use clap::{Command, CommandFactory};
+use clap::Command;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     std::fs::create_dir_all(&args.dir).map_err(|error| Failure::writing(args.dir.display(), &error))?;
-    let mut command = super::Cli::command().disable_help_subcommand(true);
+    let mut command = super::command().disable_help_subcommand(true);
     command.build();
     let mut pages = 0;
     write_page(&command, "dcel", &args.dir, &mut pages)?;

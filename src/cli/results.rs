@@ -7,7 +7,7 @@ use super::picture::Target;
 use super::save::{Files, InPlace, save};
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{Figure, FigureOptions};
-use dcel_kit::io::Model;
+use dcel_kit::io::{LeftOut, Model};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -74,6 +74,12 @@ impl Results {
         let drawn = draw(self.crop.apply_here(target.options(FigureOptions::new(title))))?;
         drawn.notes().iter().for_each(|note| say("note", note));
         target.write(&drawn, out)
+    }
+
+    /// If the structure is written, says what the input has of it that no structure holds.
+    pub(crate) fn tell_left_out(&self, left_out: &LeftOut) {
+        let notes = self.output.iter().flat_map(|_| left_out.notes(false));
+        notes.for_each(|note| say("note", note));
     }
 
     /// Writes the structure, if asked to, and tells what was found, unless the structure is the answer.

@@ -3,8 +3,7 @@
 use super::failure::{is_json_wanted, say};
 use super::{Failure, Output};
 use dcel_kit::files::{WholeFolder, is_same_file, is_standard_input, write_whole};
-use dcel_kit::io::stl::rounding;
-use dcel_kit::io::{Format, Model, write, write_path};
+use dcel_kit::io::{Format, Model, losses, write, write_path};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -141,8 +140,8 @@ pub(crate) fn save(path: &Path, model: &Model<'_>, out: &mut Output) -> Result<(
     save_as(path, None, Format::Dcel, "end it in .dcel", model, out)
 }
 
-/// Writes a structure in this format, or in the one that the end of the name tells; `usual` is that of standard output.
-/// `help` says how to name a file whose format is not known.
+/// Writes a structure in this format, or in the one that the end of the name tells, and says what it loses; `usual` is the
+/// format of standard output. `help` says how to name a file whose format is not known.
 pub(crate) fn save_as(
     path: &Path,
     format: Option<Format>,
@@ -152,7 +151,7 @@ pub(crate) fn save_as(
     out: &mut Output,
 ) -> Result<(), Failure> {
     let format = format.or_else(|| Format::from_path(path));
-    let rounded = rounding(model, format.unwrap_or(usual));
+    let lost = losses(model, format.unwrap_or(usual));
     let written = match format {
         format if path.as_os_str() == "-" => write(out, model, format.unwrap_or(usual)),
         Some(format) => write_path(path, model, format),
@@ -162,7 +161,7 @@ pub(crate) fn save_as(
         }
     };
     written.map_err(|error| Failure::of_writing(path, error))?;
-    rounded.iter().for_each(|note| say("note", note));
+    lost.iter().for_each(|note| say("note", note));
     Ok(())
 }
 

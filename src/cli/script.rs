@@ -74,14 +74,16 @@ fn help() -> String {
 A script is one statement a line: a start, then edits, walks, marks. `#` starts a comment.
   walk_face A        walk_vertex A       highlight A ...      caption TEXT     dump
   let NAME = ...     names what an edit makes, or any element
-A, B: h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.origin, a.face
-V, E, F: vertices, edges and faces in the same way: v0, a.origin, h2.edge, f1
+  A, B               h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.face
+  V, E, F            vertices, edges and faces in the same way: v0, a.origin, h2.edge, f1
+
 In the plane: rectangle | polygon X Y X Y ... | triangles X Y ... / I J K ...
-{}Without coordinates, whatever is combinatorially legal:
-torus | ring N | surface N / I J K ... / ...
-{}In space: solid cube (or another of Plato's five) | mesh X Y Z ... / I J K ... / ...
 {}
-An edit of the plane checks the faces that it touches, corner by corner: many edits of
+Without coordinates, whatever is combinatorially legal: torus | ring N | surface N / I J K ... / ...
+{}
+In space: solid cube (or another of Plato's five) | mesh X Y Z ... / I J K ... / ...
+{}
+An edit of the plane checks the faces that it touches, corner by corner: many edits of \
 one large face take the square of their number.
 
 Examples:

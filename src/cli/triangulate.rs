@@ -98,6 +98,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         faces: after.face_count(),
         hole_faces: after.hole_faces().count(),
     };
+    args.results.tell_left_out(&subject.left_out);
     args.results.finish(&subject.model(), &answer, out, |out| {
         writeln!(out, "{}: plane, {}, by {}", answer.source, answer.format, answer.method)?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");

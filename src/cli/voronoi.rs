@@ -8,7 +8,7 @@ use super::input::InputOptions;
 use super::results::Results;
 use super::{Answer, Output};
 use dcel_kit::figure;
-use dcel_kit::io::{Model, PointList, counted, read_points};
+use dcel_kit::io::{Model, PointList, counted};
 use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, VoronoiError, Window};
 use std::io::Write;
 use std::path::PathBuf;
@@ -52,8 +52,7 @@ const BYTES_PER_SITE: usize = 1_300;
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.results.check(&args.file)?;
-    let list = read_points(&args.file, &args.input.for_points()?)?;
-    list.notes.iter().for_each(|note| say("note", note));
+    let list = args.input.points(&args.file)?;
     list.check_room(BYTES_PER_SITE)?;
     let built = Subdivision::delaunay(&list.points).map_err(|error| Failure::about(&list.source, error))?;
     tell_repeated(&built.repeated);

@@ -106,19 +106,28 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
     match arranged.collapsed[..] {
         [] => {}
         [one] => notes.push(format!("segment {one} is shorter than a step of the grid and became a point")),
-        [first, ..] => {
+        [ref first @ .., last] => {
             let count = arranged.collapsed.len();
-            notes.push(format!("{count} segments are shorter than a step of the grid and became points: {first}, ..."));
+            let shown: Vec<String> = first.iter().take(SHOWN).map(u32::to_string).collect();
+            let rest = if count > SHOWN + 1 { format!(" and {} more", count - SHOWN) } else { format!(" and {last}") };
+            let shown = shown.join(", ") + &rest;
+            notes.push(format!("{count} segments are shorter than a step of the grid and became points: {shown}"));
         }
     }
     notes
 }
+
+/// So many segments are named in a row; more are counted.
+const SHOWN: usize = 3;
 
 /// What a grid did to the points of the input, in one sentence: how many moved, the vertices that they became, and how far
 /// an edge is from what it was.
 #[must_use]
 pub fn on_grid(grid: f64, moved: usize, displaced: &[(VertexId, f64)], farthest: f64) -> String {
     let (grid, most) = (Number(grid), displaced.iter().map(|moved| moved.1).fold(0.0, f64::max));
+    if moved == 0 && farthest <= 0.0 {
+        return format!("points were rounded to a grid of {grid}: nothing moved");
+    }
     let points = match moved {
         0 => "no point of the input moved".to_owned(),
         1 => format!("1 point of the input moved, by {}", at_most(most)),

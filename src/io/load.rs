@@ -185,27 +185,27 @@ fn plane(
     if has_z {
         notes.push("the z of the points was dropped".to_owned());
     }
-    let told = Told { points: &points, faces: &faces, places: &places };
+    // What was read of a large file stands once: these are the places of the vertices if all is well.
+    let mut points: Vec<Point> = points.into_iter().map(|[x, y, _]| Point::new(x, y)).collect();
+    points.shrink_to_fit();
     let convert = ConvertOptions {
         orient: options.orient || any_direction,
         full_check: !options.trust,
         // Formats with coordinates only cannot say that a vertex is to be part of a side.
         insert_touching: (any_direction || options.mend) && !options.trust,
     };
-    let flat = || points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
-    let converted = match triangles(&faces) {
-        Some(triangles) if !convert.insert_touching => Subdivision::convert_triangles(flat(), triangles, &convert),
-        _ => Subdivision::convert_polygons(flat(), &faces, &convert),
-    };
+    let converted = Subdivision::convert_taking(&mut points, &faces, &convert);
     let Converted { mut subdivision, turned, unused_vertices, inserted } = match converted {
         Ok(converted) => converted,
         Err(error) if options.mend && can_be_mended(&error) => {
+            let told = Told { points: &points, faces: &faces, places: &places };
             let MendedSoup { subdivision, names, covering, notes: told } = mend(&told, names, &blocked)?;
             notes.extend(told);
             let (structure, covering) = (Structure::Plane(subdivision), Some(covering));
             return Ok(Loaded { structure, names, covering, notes, left_out, format, places: None });
         }
         Err(error) => {
+            let told = Told { points: &points, faces: &faces, places: &places };
             let Misfit { what, rings } = told.misfit(&error, convert.full_check);
             let at = Box::new(Whereabouts::of_misfit(&told, &error, &rings));
             return Err(LoadError::Plane { at, error, what });
@@ -219,6 +219,7 @@ fn plane(
     note_unused(&mut notes, &unused_vertices);
     if let Some(first) = inserted.first() {
         let count = counted(inserted.len(), "corner was inserted", "corners were inserted");
+        let told = Told { points: subdivision.points_by_number(), faces: &faces, places: &places };
         notes.push(format!("{count} where vertices lie inside sides, the first {}", told.inserted(first)));
     }
     if options.mend && inserted.is_empty() && mended_rings == 0 {
@@ -266,13 +267,6 @@ fn surface(
     let unused: Vec<_> = (0..bound).map(VertexId::new).filter(|&v| !polyhedron.has_vertex(v)).collect();
     note_unused(notes, &unused);
     Ok(Structure::Surface(polyhedron))
-}
-
-/// The faces as triangles, if they all are: the converter has less to look at then.
-fn triangles(faces: &PolygonList) -> Option<&[[u32; 3]]> {
-    let starts = faces.cycle_starts();
-    let all = faces.has_no_holes() && starts.windows(2).all(|ends| ends[1] - ends[0] == 3);
-    all.then(|| faces.corners().as_chunks().0)
 }
 
 fn note_unused(notes: &mut Vec<String>, unused: &[VertexId]) {

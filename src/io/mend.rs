@@ -6,7 +6,7 @@ use super::soup::Places;
 use super::words::{at_most, counted};
 use crate::geometry::number::Number;
 use crate::ids::{FaceId, FaceMap, VertexId};
-use crate::plane::{Cover, Mended, Point, SegmentsError, Subdivision};
+use crate::plane::{Cover, Mended, SegmentsError, Subdivision};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many names stand on one face; more are counted.
@@ -57,8 +57,7 @@ pub(super) struct MendedSoup {
 
 /// Mends polygons. `blocked` are those that are no part of the domain, in increasing order.
 pub(super) fn mend(told: &Told<'_>, names: Vec<Option<String>>, blocked: &[u32]) -> Result<MendedSoup, LoadError> {
-    let points: Vec<Point> = told.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
-    let mended = Subdivision::mend_polygons(&points, told.faces).map_err(|error| refused(told.places, error))?;
+    let mended = Subdivision::mend_polygons(told.points, told.faces).map_err(|error| refused(told.places, error))?;
     let covered = mended.subdivision.face_count() - mended.cover.uncovered().count();
     let polygons = counted(told.faces.face_count(), "polygon", "polygons");
     let mut notes = vec![format!("mended: {polygons} became {}", counted(covered, "face", "faces"))];

@@ -18,7 +18,7 @@ use crate::topology::{BuildError, PolygonList};
 
 /// The polygons of a file, and where they stand in it.
 pub(super) struct Told<'a> {
-    pub(super) points: &'a [[f64; 3]],
+    pub(super) points: &'a [Point],
     pub(super) faces: &'a PolygonList,
     pub(super) places: &'a Places,
 }
@@ -454,8 +454,7 @@ impl Told<'_> {
     }
 
     fn point(&self, vertex: u32) -> Point {
-        let [x, y, _] = self.points[vertex as usize];
-        Point::new(x, y)
+        self.points[vertex as usize]
     }
 
     fn cycle(&self, ring: [u32; 2]) -> &[u32] {

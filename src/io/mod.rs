@@ -26,8 +26,8 @@
 // The files of this folder:
 //
 //   ways in       read.rs load.rs        from bytes or a path to a Document (document.rs), and on to a structure
-//   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids
-//   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs and labels.rs
+//   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids; losses.rs tells what is lost
+//   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs, line_numbers.rs, labels.rs
 //   JSON          json.rs -> geojson.rs topojson.rs -> geometries.rs arrays.rs nodes.rs
 //                 rings.rs  repaired.rs  joins equal points of rings    left_out.rs  what is read over
 //   both          wkt.rs                 polygons into rings.rs, or segments
@@ -53,8 +53,10 @@ pub mod grid;
 mod json;
 mod labels;
 mod left_out;
+mod line_numbers;
 mod load;
 mod load_error;
+mod losses;
 mod mend;
 pub mod mesh;
 mod misfit;
@@ -95,8 +97,10 @@ pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
 pub use labels::Labels;
 pub use left_out::LeftOut;
+pub use line_numbers::LineNumbers;
 pub use load::{LoadOptions, Loaded, NOTHING_TO_MEND, Structure, assemble, load};
 pub use load_error::LoadError;
+pub use losses::losses;
 pub use mend::Covering;
 pub use model::Model;
 pub use near::closest;

@@ -164,7 +164,12 @@ fn check_edges(model: &Model<'_>, format: Format) -> Result<(), WriteError> {
         match (side(h), twin.and_then(side)) {
             (None, None) => return Err(WriteError::Lost { element: h.into(), format: format.name() }),
             (Some(a), Some(b)) if a == b => {
-                return Err(WriteError::SameFaceTwice { half_edge: h, face: a, format: format.name() });
+                return Err(WriteError::SameFaceTwice {
+                    half_edge: h,
+                    face: a,
+                    in_space: model.in_space,
+                    format: format.name(),
+                });
             }
             _ => {}
         }

@@ -33,6 +33,8 @@ pub struct PointList {
     pub lines: Vec<u32>,
     /// The file.
     pub source: String,
+    /// The format it was; none for plain text.
+    pub format: Option<Format>,
     /// What was left out or looks wrong, one sentence each: for the user.
     pub notes: Vec<String>,
 }
@@ -104,13 +106,13 @@ pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, Read
 
 /// The points of what was read.
 fn points_of(read: Read, source: String) -> PointList {
-    let notes = read.notes;
+    let (notes, format) = (read.notes, Some(read.format));
     match read.document {
         Document::Polygons(soup) => {
             let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
             let same_file = soup.places.vertex_source.as_ref().is_none_or(|name| *name == source);
-            let lines = if same_file { soup.places.vertex_lines } else { Vec::new() };
-            PointList { points, lines, source, notes }
+            let lines = if same_file { soup.places.vertex_lines.iter().collect() } else { Vec::new() };
+            PointList { points, lines, source, format, notes }
         }
         Document::Segments(soup) => {
             let kept = match read.format {
@@ -119,15 +121,15 @@ fn points_of(read: Read, source: String) -> PointList {
             };
             let points = kept.iter().map(|&p| soup.points[p]).collect();
             let lines = kept.iter().map(|&p| soup.point_lines[p]).collect();
-            PointList { points, lines, source, notes }
+            PointList { points, lines, source, format, notes }
         }
         Document::Columns(table) => {
             let positions = (0..table.vertex_bound() as u32).filter_map(|v| table.position(VertexId::new(v)));
-            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
+            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, format, notes }
         }
         Document::Table(table) => {
             let positions = table.vertices.iter().filter_map(|row| row.as_ref()?.position);
-            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
+            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, format, notes }
         }
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn read(poly: File<'_>, node: Option<File<'_>>) -> Result<Read, ReadE
         first = nodes(&mut Scanner::new(node.bytes, node.source, SYNTAX)?, &mut own)?;
     }
     let mut soup = SegmentSoup::new(poly.source);
-    for (&[x, y, _], &line) in own.points.iter().zip(&own.vertex_lines) {
+    for (&[x, y, _], line) in own.points.iter().zip(own.vertex_lines.iter()) {
         soup.point([x, y], line);
     }
     segments(&mut scanner, &mut soup, first)?;

@@ -2,6 +2,7 @@
 
 use super::labels::Labels;
 use super::left_out::LeftOut;
+use super::line_numbers::LineNumbers;
 use super::problem::{ReadError, ReadProblem};
 use super::repaired::Repaired;
 use super::room::{reserved, too_little};
@@ -60,7 +61,8 @@ impl PolygonSoup {
         fn of<T: Clone>(all: &[T], origins: &[u32]) -> Vec<T> {
             if all.is_empty() { Vec::new() } else { origins.iter().map(|&f| all[f as usize].clone()).collect() }
         }
-        let mut places = Places { face_lines: of(&self.places.face_lines, origins), ..self.places.clone() };
+        let face_lines = origins.iter().filter_map(|&f| self.places.face_lines.get(f as usize)).collect();
+        let mut places = Places { face_lines, ..self.places.clone() };
         if !self.places.path_ends.is_empty() {
             (places.paths, places.path_ends) = (String::new(), Vec::new());
             for path in origins.iter().filter_map(|&f| self.places.face_path(f as usize)) {
@@ -150,9 +152,9 @@ pub struct Places {
     /// The file of the points, if it is another one (Triangle's `.node`).
     pub vertex_source: Option<String>,
     /// The line of each point, from 1; empty if the format has no useful lines.
-    pub vertex_lines: Vec<u32>,
+    pub vertex_lines: LineNumbers,
     /// The line of each face, from 1; empty if the format has no useful lines.
-    pub face_lines: Vec<u32>,
+    pub face_lines: LineNumbers,
     /// The line and the column at which each cycle starts, from 1; empty if the format has lines for its faces.
     pub(super) ring_places: Vec<[u32; 2]>,
     /// Whether the y of the points was negated: coordinates in messages are those of the file.
@@ -373,8 +375,8 @@ impl SegmentSoup {
 pub(super) struct SoupBuilder {
     pub(super) points: Vec<[f64; 3]>,
     pub(super) faces: PolygonList,
-    pub(super) vertex_lines: Vec<u32>,
-    pub(super) face_lines: Vec<u32>,
+    pub(super) vertex_lines: LineNumbers,
+    pub(super) face_lines: LineNumbers,
 }
 
 impl SoupBuilder {
@@ -389,7 +391,7 @@ impl SoupBuilder {
         source: &str,
     ) -> Result<Self, ReadError> {
         let room = points.min((bytes / bytes_per_point) as u64) as usize;
-        Ok(Self { points: reserved(room, source)?, vertex_lines: reserved(room, source)?, ..Self::default() })
+        Ok(Self { points: reserved(room, source)?, ..Self::default() })
     }
 
     /// Room for what so many bytes of text can hold, beside what there is: a point takes five at least, `v 0 0`, a face
@@ -402,8 +404,8 @@ impl SoupBuilder {
         let made = self.points.try_reserve(points).and_then(|()| self.vertex_lines.try_reserve(points));
         let made = made.and_then(|()| self.face_lines.try_reserve(faces));
         made.and_then(|()| self.faces.try_reserve(corners, faces)).map_err(|_| {
-            let lists = [self.points.len() * 24, self.vertex_lines.len() * 4, self.faces.corner_count() * 12];
-            too_little(2 * lists.iter().sum::<usize>() + 28 * points + 12 * faces + 4 * corners, source)
+            let lists = [self.points.len() * 24, self.vertex_lines.len() * 6, self.faces.corner_count() * 10];
+            too_little(2 * lists.iter().sum::<usize>() + 30 * points + 10 * faces + 4 * corners, source)
         })
     }
 

@@ -93,7 +93,7 @@ pub enum WriteError {
         face: FaceId,
     },
     /// Two edges with the same ends, and a format that tells edges by their ends.
-    #[error("{} and {} join the same two vertices, which {format} cannot hold; split one of them first, or make the shape of more parts", edges[0], edges[1])]
+    #[error("{} and {} join the same two vertices, which {format} cannot hold; make the shape of more parts, or split one of them first", edges[0], edges[1])]
     EdgeTwice {
         /// The edges.
         edges: [EdgeId; 2],
@@ -102,13 +102,15 @@ pub enum WriteError {
     },
     /// An edge with the same face on both sides: a dangling edge, or a bridge.
     #[error(
-        "{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything of the plane"
+        "{half_edge} and its twin both bound {face}, which {format} cannot hold; {}", by_ends(*in_space)
     )]
     SameFaceTwice {
         /// One half of the edge.
         half_edge: HalfEdgeId,
         /// The face.
         face: FaceId,
+        /// Whether it is a surface in space.
+        in_space: bool,
         /// The format.
         format: &'static str,
     },
@@ -142,6 +144,15 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
+}
+
+/// What holds an edge with the same face on both sides.
+fn by_ends(in_space: bool) -> &'static str {
+    if in_space {
+        "no format of surfaces can; make the shape of more parts, or cut the face in two first"
+    } else {
+        "dcel holds everything of the plane"
+    }
 }
 
 /// What holds a face that touches itself at a corner.

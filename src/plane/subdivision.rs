@@ -64,6 +64,12 @@ impl Subdivision {
         &self.dcel
     }
 
+    /// Where the vertices are, by number; of removed ones, where they were.
+    #[cfg(feature = "io")]
+    pub(crate) fn points_by_number(&self) -> &[Point] {
+        self.points.as_slice()
+    }
+
     /// Where `v` is. O(1).
     ///
     /// # Panics

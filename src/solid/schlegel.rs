@@ -28,8 +28,18 @@ pub enum SchlegelError {
     /// The solid is not convex, so that faces would hide each other.
     #[error(transparent)]
     NotConvex(#[from] NotConvex),
+    /// Another face lies in the plane of the face, so that no eye is outside of this face alone.
+    #[error(
+        "{face} and {other} lie in one plane, so that nothing is seen through {face} alone: join the two, or look through a face whose neighbours all bend away"
+    )]
+    OnePlane {
+        /// The face that was to be removed.
+        face: FaceId,
+        /// The other one.
+        other: FaceId,
+    },
     /// The solid is so thin that its picture folds when it is rounded.
-    #[error("seen through {face}, faces fall together: {error}; try another face")]
+    #[error("seen through {face}, faces fall together when they are rounded ({error}): try another face")]
     Rounded {
         /// The removed face.
         face: FaceId,
@@ -68,7 +78,7 @@ impl Polyhedron {
     pub fn schlegel(&self, face: FaceId) -> Result<Schlegel, SchlegelError> {
         self.topology().check(face)?;
         self.check_convex()?;
-        let eye = Eye::before(self, face);
+        let eye = Eye::before(self, face).map_err(|other| SchlegelError::OnePlane { face, other })?;
         let mut numbers = VertexMap::filled(self.vertex_bound(), 0);
         self.vertices().zip(0..).for_each(|(v, i)| numbers[v] = i);
         let points = self.vertices().map(|v| eye.sees(self.point(v))).collect();
@@ -86,6 +96,9 @@ impl Polyhedron {
     }
 }
 
+/// An eye so close to a face, as a part of its radius, is in its plane up to rounding.
+const IN_PLANE: f64 = 1e-12;
+
 /// Where the picture is taken from.
 struct Eye {
     middle: Vector,
@@ -96,8 +109,8 @@ struct Eye {
 }
 
 impl Eye {
-    /// So close to the middle of the face that it is outside of this face alone.
-    fn before(solid: &Polyhedron, face: FaceId) -> Self {
+    /// So close to the middle of the face that it is outside of this face alone; or the face that leaves no room for it.
+    fn before(solid: &Polyhedron, face: FaceId) -> Result<Self, FaceId> {
         let middle = solid.face_mean(face);
         let outwards = solid.normal(face).unwrap_or([0.0, 0.0, 1.0]);
         let radius = solid.corners(face).map(|p| length(minus(p, middle))).fold(0.0, f64::max);
@@ -106,14 +119,18 @@ impl Eye {
             let normal = solid.normal(f)?;
             let rise = dot(normal, outwards);
             let gap = dot(normal, minus(solid.face_mean(f), middle));
-            (rise > 1e-12).then_some(gap / rise)
+            (rise > 1e-12).then_some((gap / rise, f))
         });
-        let distance = met.fold(2.5 * radius, |least, far| least.min(0.6 * far));
+        let (distance, first) =
+            met.fold((2.5 * radius, face), |least, (far, f)| if 0.6 * far < least.0 { (0.6 * far, f) } else { least });
+        if distance <= IN_PLANE * radius {
+            return Err(first);
+        }
         let first = solid.corners(face).next().map_or([1.0, 0.0, 0.0], |p| minus(p, middle));
         let along = minus(first, times(outwards, dot(first, outwards)));
         let right = times(along, 1.0 / length(along).max(f64::MIN_POSITIVE));
         // In the mirror, up is down.
-        Self { middle, outwards, right, up: cross(right, outwards), distance }
+        Ok(Self { middle, outwards, right, up: cross(right, outwards), distance })
     }
 
     fn sees(&self, p: Vector) -> Point {

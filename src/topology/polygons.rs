@@ -22,7 +22,7 @@ pub struct PolygonList {
     corners: Vec<u32>,
     /// `cycle_starts[c] .. cycle_starts[c + 1]` are the corners of cycle `c`.
     cycle_starts: Vec<u32>,
-    /// `face_starts[f] .. face_starts[f + 1]` are the cycles of face `f`.
+    /// `face_starts[f] .. face_starts[f + 1]` are the cycles of face `f`; empty while every face has exactly one.
     face_starts: Vec<u32>,
 }
 
@@ -36,7 +36,7 @@ impl PolygonList {
     /// No face.
     #[must_use]
     pub fn new() -> Self {
-        Self { corners: Vec::new(), cycle_starts: vec![0], face_starts: vec![0] }
+        Self { corners: Vec::new(), cycle_starts: vec![0], face_starts: Vec::new() }
     }
 
     /// One face for each triangle.
@@ -46,7 +46,7 @@ impl PolygonList {
         Self {
             corners: triangles.as_flattened().to_vec(),
             cycle_starts: (0..=n).map(|i| 3 * i).collect(),
-            face_starts: (0..=n).collect(),
+            face_starts: Vec::new(),
         }
     }
 
@@ -55,31 +55,39 @@ impl PolygonList {
     pub(crate) fn try_reserve(&mut self, corners: usize, faces: usize) -> Result<(), TryReserveError> {
         self.corners.try_reserve(corners)?;
         self.cycle_starts.try_reserve(faces)?;
-        self.face_starts.try_reserve(faces)
+        if self.has_no_holes() { Ok(()) } else { self.face_starts.try_reserve(faces) }
     }
 
     /// Appends a face with this outer cycle.
     pub fn push_face(&mut self, corners: &[u32]) {
-        self.face_starts.push(self.cycle_starts.len() as u32 - 1);
-        self.push_hole(corners);
+        self.push_cycle(corners);
+        if !self.has_no_holes() {
+            self.face_starts.push(self.cycle_count() as u32);
+        }
     }
 
     /// Gives the last face one more inner cycle. Without a face before, this appends a face.
     pub fn push_hole(&mut self, corners: &[u32]) {
-        if self.face_starts.len() == 1 {
-            self.face_starts.push(0);
+        if self.cycle_count() == 0 {
+            return self.push_face(corners);
         }
+        if self.has_no_holes() {
+            self.face_starts = (0..=self.cycle_count() as u32).collect();
+        }
+        self.push_cycle(corners);
+        let end = self.cycle_count() as u32;
+        self.face_starts.last_mut().into_iter().for_each(|last| *last = end);
+    }
+
+    fn push_cycle(&mut self, corners: &[u32]) {
         self.corners.extend_from_slice(corners);
         self.cycle_starts.push(self.corners.len() as u32);
-        if let Some(end) = self.face_starts.last_mut() {
-            *end = self.cycle_starts.len() as u32 - 1;
-        }
     }
 
     /// The number of faces.
     #[must_use]
     pub fn face_count(&self) -> usize {
-        self.face_starts.len() - 1
+        if self.has_no_holes() { self.cycle_count() } else { self.face_starts.len() - 1 }
     }
 
     /// The number of cycles of all faces together.
@@ -97,6 +105,9 @@ impl PolygonList {
     /// The numbers of the cycles of face `face`, the outer one first.
     #[must_use]
     pub fn cycle_range(&self, face: usize) -> std::ops::Range<usize> {
+        if self.has_no_holes() {
+            return face..face + 1;
+        }
         self.face_starts[face] as usize..self.face_starts[face + 1] as usize
     }
 
@@ -118,7 +129,7 @@ impl PolygonList {
 
     /// The outer cycle of each face.
     pub fn outer_cycles(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.face_count()).map(|f| self.cycle(self.face_starts[f] as usize))
+        (0..self.face_count()).map(|f| self.cycle(self.cycle_range(f).start))
     }
 
     /// All corners of all cycles in order.
@@ -133,9 +144,16 @@ impl PolygonList {
         &self.cycle_starts
     }
 
+    /// The faces as triangles, if they all are: there is less to look at then.
+    #[cfg(feature = "io")]
+    pub(crate) fn as_triangles(&self) -> Option<&[[u32; 3]]> {
+        let all = self.has_no_holes() && self.cycle_starts.windows(2).all(|ends| ends[1] - ends[0] == 3);
+        all.then(|| self.corners.as_chunks().0)
+    }
+
     /// Whether every face has exactly one cycle.
     #[must_use]
     pub fn has_no_holes(&self) -> bool {
-        self.face_count() == self.cycle_count()
+        self.face_starts.is_empty()
     }
 }

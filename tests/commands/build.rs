@@ -153,8 +153,31 @@ fn all_points_that_a_grid_moves_are_counted() {
 fn a_crossing_that_stays_in_place_is_at_distance_zero() {
     let folder = Folder::empty();
     folder.write("x.segments", "0 0 4 4\n0 4 4 0\n");
-    let report = folder.dcel("build x.segments --mend --json").json();
-    assert_eq!((&report["moved"], &report["farthest"]), (&json!([]), &json!(0.0)));
+    for grid in ["", " --grid 2", " --grid 1"] {
+        let report = folder.dcel(&format!("build x.segments --mend{grid} --json")).json();
+        assert_eq!((&report["moved"], &report["farthest"]), (&json!([]), &json!(0.0)), "{grid}");
+    }
+    assert!(folder.dcel("build x.segments --mend --grid 2").err.contains("a grid of 2: nothing moved\n"));
+    // The crossing moves, and with it both lines; then a line that is bent by the corner of another one.
+    folder.write("y.segments", "0 0 4 2\n0 2 4 0\n");
+    folder.write("z.segments", "0 0 4 2\n2 0 2 4\n8 4 12 4\n");
+    for file in ["y", "z"] {
+        let farthest = folder.dcel(&format!("build {file}.segments --mend --grid 2 --json")).json()["farthest"].clone();
+        assert!(farthest.as_f64().is_some_and(|farthest| (1.0..1.5).contains(&farthest)), "{file}: {farthest}");
+    }
+}
+
+#[test]
+fn segments_that_become_points_are_named() {
+    let folder = Folder::empty();
+    let short = |n: usize| (0..n).map(|i| format!("{0} 0 {0} 0.25\n", 10 * i)).collect::<String>();
+    let told = ["segment 0 is", "0 and 1", "0, 1 and 2", "0, 1, 2 and 3", "0, 1, 2 and 2 more"];
+    for (n, told) in (1..).zip(told) {
+        folder.write("short.segments", &short(n));
+        let err = folder.dcel("build short.segments --mend --grid 2").err;
+        let line = err.lines().find(|line| line.contains("shorter than a step")).unwrap_or_default();
+        assert!(line.contains(told) && (n == 1 || line.ends_with(told)), "{n}: {err}");
+    }
 }
 
 /// A comma may be meant as a decimal point, so it parts no numbers.

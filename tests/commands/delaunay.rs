@@ -66,6 +66,31 @@ fn cells_of_nearest_sites() {
     assert_eq!(folder.read("rays.svg").matches("between v").count(), 7, "one of the 8 edges lies outside");
 }
 
+/// A flag that can do nothing with points is refused, so that nobody believes it did.
+#[test]
+fn flags_that_mean_nothing_to_points_are_refused() {
+    let folder = Folder::new();
+    folder.write("sites.xy", "0 0\n4 0\n0 3\n");
+    folder.write("cross.segments", "0 0 4 2\n0 2 4 0\n");
+    for command in ["delaunay sites.xy", "voronoi sites.xy", "film hull sites.xy -o f.svg"] {
+        for flag in ["--plane", "--drop-degenerate-rings", "--full-check", "--mend", "--orient"] {
+            let told = folder.dcel(&format!("{command} {flag}"));
+            told.fails(2, &format!("{flag} cannot be used here: only the points"), &format!("leave {flag} out"));
+        }
+        let told = folder.dcel(&format!("{command} --object roads"));
+        told.fails(2, "sites.xy: --object cannot be used on plain points", "leave --object out");
+    }
+    let told = folder.dcel("delaunay garden.json --object Garden");
+    told.fails(2, "garden.json: --object cannot be used on geojson: only TopoJSON", "leave --object out");
+    let told = folder.dcel("film sweep cross.segments --object roads -o f.svg");
+    told.fails(2, "--object cannot be used on segments", "leave --object out");
+    folder.dcel("figure --records --mend -o r.svg").fails(
+        2,
+        "--mend cannot be used with --records",
+        "leave --mend out",
+    );
+}
+
 #[test]
 fn what_cannot_be_done_is_named() {
     let folder = Folder::new();

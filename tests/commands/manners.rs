@@ -1,5 +1,6 @@
 //! The manners of the command: exit codes, help, pipes, bad files, standard input.
 
+use crate::samples::commands;
 use crate::shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
@@ -184,6 +185,27 @@ fn the_help_fits_60_columns_and_is_plain_in_a_pipe() {
             let long: Vec<&str> = text.lines().filter(|line| line.chars().count() > 60).collect();
             assert!(long.is_empty() && text.len() > 200, "{command}: {long:?}");
             assert!(!text.contains('\u{1b}'), "{command}: colours in a pipe");
+        }
+    }
+}
+
+/// A line that was ended by hand is seen at the next width: the first word after it had room.
+#[test]
+fn paragraphs_of_the_help_fill_the_terminal() {
+    let folder = Folder::new();
+    for command in commands(&folder, "") {
+        for width in [60, 100] {
+            let mut asked = folder.command(&format!("{command} --help"));
+            let output = asked.env("COLUMNS", width.to_string()).output().expect("the command starts");
+            let text = String::from_utf8(output.stdout).expect("UTF-8");
+            let lines: Vec<&str> = text.lines().collect();
+            assert!(lines.len() > 5, "dcel {command} --help: {text}");
+            for pair in lines.windows(2) {
+                let is_paragraph = pair.iter().all(|line| !line.is_empty() && !line.starts_with(' '));
+                let word = pair[1].split(' ').next().unwrap_or_default();
+                let had_room = pair[0].chars().count() + 1 + word.chars().count() <= width;
+                assert!(!is_paragraph || !had_room, "dcel {command} --help, {width} columns: {pair:#?}");
+            }
         }
     }
 }

@@ -312,6 +312,12 @@ fn convert_tells_losses_and_refuses_what_cannot_be_held() {
     assert!(told.err.contains("2 names of faces are lost: off has none"), "{told:?}");
     assert!(folder.dcel("convert garden.json g.geojson").err.contains("1 hole face is not written"));
     assert_eq!(folder.dcel("convert garden.json g.dcel").err, "");
+    folder.write("tenth.obj", "v 0 0\nv 0.1 0\nv 0 1\nf 1 2 3\n");
+    for target in ["t.stl", "-"] {
+        let told = folder.command(&format!("convert tenth.obj {target} --to stl-binary")).output().expect("it starts");
+        let err = String::from_utf8_lossy(&told.stderr).into_owned();
+        assert!(told.status.success() && err.contains("1 point was rounded to single precision"), "{target}: {err}");
+    }
     folder.dcel("convert cube.off cube.geojson").fails(2, "a surface in space", "try obj, off or ply");
     folder.dcel("convert square.obj x.svg").fails(2, "x.svg: the file name does not say", "--to: obj, off");
     folder.dcel("convert square.obj x.topojson").fails(2, "topojson is read, not written", "geojson");

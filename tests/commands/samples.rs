@@ -8,7 +8,7 @@ use std::process::Command;
 const ELSEWHERE: [&str; 5] = ["lab", "grade", "gradebook", "tour", "figures"];
 
 /// All commands, those below others too: `info`, `navmesh path`, ...
-fn commands(folder: &Folder, above: &str) -> Vec<String> {
+pub(crate) fn commands(folder: &Folder, above: &str) -> Vec<String> {
     let help = folder.dcel(&format!("{above} --help")).fine();
     let Some((_, list)) = help.split_once("\nCommands:\n") else { return vec![above.to_owned()] };
     let list = list.lines().take_while(|line| line.starts_with("  "));

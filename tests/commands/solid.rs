@@ -215,6 +215,44 @@ fn stl_goes_out_as_text_and_as_binary() {
     folder.dcel("solid make cube -o c.solid").fails(2, "c.solid: the file name does not say", "--to");
 }
 
+/// A flag that is refused, or a way that leads back, is no help.
+#[test]
+fn what_helps_on_solids_is_what_they_take() {
+    let folder = Folder::new();
+    for command in ["info", "dual", "subdivide", "split", "figure", "schlegel", "support"] {
+        let help = folder.dcel(&format!("solid {command} --help")).fine();
+        for flag in ["--mend", "--trust", "--plane ", "--split-crossings", "--full-check"] {
+            assert!(!help.contains(flag), "solid {command} offers {flag}");
+        }
+        assert!(help.contains("--orient"), "{command}: {help}");
+    }
+    folder.dcel("solid info cube.off --mend").fails(2, "--mend cannot be used", "leave --mend out");
+    folder.write("line.json", r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 1], [0, 0]]]}"#);
+    let told = folder.dcel("solid info line.json");
+    told.fails(2, "encloses nothing", "--drop-degenerate-rings");
+    assert!(!told.err.contains("--mend"), "{told:?}");
+    folder.dcel("solid subdivide cube.off --loop").fails(2, "has 4 sides", "dcel solid split");
+    folder.dcel("solid make torus 1 3 -o t.off").fails(2, "both bound f0", "make the shape of more parts");
+}
+
+/// Both triangles of a side of a cube lie in one plane: no eye sees through one of them alone.
+#[test]
+fn nothing_is_seen_through_a_part_of_a_side() {
+    let folder = Folder::new();
+    let sides = ["0 1 2 3", "4 7 6 5", "0 4 5 1", "1 5 6 2", "2 6 7 3", "3 7 4 0"];
+    let halves = |side: &str| {
+        let c: Vec<&str> = side.split(' ').collect();
+        format!("3 {} {} {}\n3 {} {} {}\n", c[0], c[2], c[1], c[0], c[3], c[2])
+    };
+    let points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+    folder.write("halves.off", &format!("OFF\n8 12 0\n{points}{}", sides.map(halves).concat()));
+    assert_eq!(folder.dcel("solid info halves.off --json").json()["convex"], true);
+    for (face, other) in [("f0", "f1"), ("f3", "f2"), ("f11", "f10")] {
+        let told = folder.dcel(&format!("solid schlegel halves.off --through {face}"));
+        told.fails(2, &format!("{face} and {other} lie in one plane"), "join the two");
+    }
+}
+
 #[test]
 fn all_faces_on_an_edge_are_named_with_their_lines() {
     let folder = Folder::new();

@@ -1,7 +1,7 @@
 //! Promise: `dcel triangulate` cuts the faces of a file into triangles, counts them, writes and draws them; `dcel
 //! figure --dual` draws the dual graph.
 
-use crate::shell::Folder;
+use crate::shell::{Folder, GARDEN};
 use serde_json::json;
 
 const HOUSE: &str = "0 0 4 0\n4 0 4 3\n4 3 2 5\n2 5 0 3\n0 3 0 0\n2 1\n1 2 3 2\n";
@@ -41,6 +41,13 @@ fn hole_faces_names_and_single_faces() {
     assert_eq!((&report["faces_cut"], &report["pieces"]), (&json!(1), &json!(8)));
     let dcel = folder.dcel("triangulate garden.json -o -").fine();
     assert_eq!((dcel.matches("name \"Garden\"").count(), dcel.matches("name \"Shed\"").count()), (8, 1));
+    // What the file does not hold is told as by convert.
+    folder.write("wide.json", &GARDEN.replace("\"name\"", "\"size\": 3, \"name\""));
+    let told = folder.dcel("triangulate wide.json -o t.obj").err;
+    for note in ["9 names of faces are lost: obj has none", "1 hole face is not written", "properties of 2 features"] {
+        assert!(told.contains(note), "{note}: {told}");
+    }
+    assert_eq!(folder.dcel("triangulate wide.json").err, "", "nothing is written");
     // A table keeps its ids.
     let report = folder.dcel("triangulate triangle.dcel --json").json();
     assert_eq!((&report["pieces"], &report["edges"]), (&json!(3), &json!(6)));

@@ -124,7 +124,7 @@ fn y_of_a_map_points_down_in_the_file_and_up_in_the_kit() {
     let soup = grid.rectangles().expect("rectangles");
     assert_eq!(soup.points.iter().map(|p| (p[0], p[1])).collect::<Vec<_>>(), points);
     // The face of the first row is in line 5 of the file, that of the second in line 6.
-    assert_eq!(soup.places.face_lines, [5, 6]);
+    assert_eq!(soup.places.face_lines.iter().collect::<Vec<_>>(), [5, 6]);
 }
 
 #[test]

@@ -46,13 +46,13 @@ What is read of drawings:
             bounded face, counter-clockwise
   around    <g>, <use>, <symbol>, transform, clip-path, units,
             style attributes, simple style sheets
-What hides an edge, a circle or a face is reported: draw faces first,
-then lines, then circles; what a mask or a filter may hide is
-refused. Texts and boxes round them, curves, backgrounds and frames,
-and what is called legend or axis are passed over; a legend whose box
-lies over the drawing is to be moved. y points down
-in SVG: draw y as height - y, with two decimals or more. An edge
-may be drawn twice. Drawings of matplotlib, TikZ, Inkscape, cairo,
+What hides an edge, a circle or a face is reported: draw faces first, \
+then lines, then circles; what a mask or a filter may hide is \
+refused. Texts and boxes round them, curves, backgrounds and frames, \
+and what is called legend or axis are passed over; a legend whose box \
+lies over the drawing is to be moved. y points down \
+in SVG: draw y as height - y, with two decimals or more. An edge \
+may be drawn twice. Drawings of matplotlib, TikZ, Inkscape, cairo, \
 svgwrite and drawsvg are read as they come.
 
 The least that a program has to write:

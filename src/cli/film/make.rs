@@ -8,7 +8,7 @@ use crate::solid::{check_finer, open_solid, points_in_space, refused};
 use crate::subject::{Kind, Subject};
 use dcel_kit::VertexId;
 use dcel_kit::figure::{SketchFilm, algorithms};
-use dcel_kit::io::{Document, ReadOptions, read_path, read_points, source_name};
+use dcel_kit::io::{Document, ReadOptions, read_path, source_name};
 use dcel_kit::plane::{Point, Subdivision, TriangulateError};
 use dcel_kit::solid::{Direction, Selection};
 use std::fmt::Display;
@@ -27,7 +27,7 @@ pub(super) fn film(args: &Args) -> Result<SketchFilm, Refused> {
 }
 
 fn of_points(args: &Args) -> Result<SketchFilm, Failure> {
-    let list = read_points(&args.file, &args.input.for_points()?)?;
+    let list = args.input.points(&args.file)?;
     let refused = |error: &dyn Display| Failure::about(&list.source, error);
     if args.what == Algorithm::Hull {
         return algorithms::convex_hull(&list.points, args.most).map_err(|error| refused(&error));
@@ -37,11 +37,10 @@ fn of_points(args: &Args) -> Result<SketchFilm, Failure> {
 }
 
 fn of_segments(args: &Args) -> Result<SketchFilm, Failure> {
-    args.input.for_raw("the sweep looks at the segments as they are, and shows where they meet")?;
-    let options =
-        ReadOptions { y_down: args.input.y_down(), outlines: true, close_rings: true, ..ReadOptions::default() };
-    let read = read_path(&args.file, &options)?;
+    let given = args.input.for_raw("the sweep looks at the segments as they are, and shows where they meet")?;
+    let read = read_path(&args.file, &ReadOptions { outlines: true, close_rings: true, ..given })?;
     let source = source_name(&args.file);
+    args.input.refuse_object(Some(read.format), &source)?;
     let Document::Segments(soup) = &read.document else {
         let what = format!("{source}: {} holds no segments", read.format);
         return Err(Failure::input(what, "the sweep takes wkt, poly, segments, geojson and topojson"));

@@ -24,12 +24,12 @@ use std::path::{Path, PathBuf};
 /// Draw an algorithm at work, event by event
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-A film is a strip of frames (.svg, .png), two in a row, or a page that plays them (.html): next and back, the arrow keys,
+A film is a strip of frames (.svg, .png), two in a row, or a page that plays them (.html): next and back, the arrow keys, \
 Home and End, space to play, and a link to each frame. --frames DIR writes each frame as a file of its own.
 
 An algorithm that refuses what it is given ends with an error; the film then has one frame that shows what is refused.
 
-The sweep looks at all segments that its line cuts, at every event: if n of them lie over each other, n² in all.
+The sweep looks at all segments that its line cuts, at every event: if n of them lie over each other, n² in all. \
 Catmull–Clark draws every frame as `dcel solid figure` does, and takes as long for each.
 
 Edits have films, too: dcel script FILE --film OUT.

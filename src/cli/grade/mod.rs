@@ -48,11 +48,11 @@ pub(super) use terms::course;
 /// Grade one submission, or a whole class
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-A submission is a folder that `dcel lab start` made, the student's file alone, or a .zip or .tar.gz of either. It is
-built and run in the sandbox; the report names those that stood and those that could not be had. A submission that does
+A submission is a folder that `dcel lab start` made, the student's file alone, or a .zip or .tar.gz of either. It is \
+built and run in the sandbox; the report names those that stood and those that could not be had. A submission that does \
 its worst gets a report that says so, and the next one is graded. Submissions with equal files are graded once.
 
-A class is a folder, or the .zip that a course system lets you download: names as Canvas and Moodle make them are
+A class is a folder, or the .zip that a course system lets you download: names as Canvas and Moodle make them are \
 understood. Rows are called by person, folder or file, with as much of the path as tells them apart.
 
 --results DIR writes, while it goes on:
@@ -60,27 +60,27 @@ understood. Rows are called by person, folder or file, with as much of the path 
   DIR/statistics.csv         what the class makes of each test
   DIR/students/NAME.html     a page to hand back, for each
   DIR/reports/NAME.json      all there is to know, for --from-report DIR
-Ctrl-C leaves what is done there, and the same command goes on where it stopped: only what is new or has changed
+Ctrl-C leaves what is done there, and the same command goes on where it stopped: only what is new or has changed \
 is graded (a submission, the lab, a limit, the seed, this program or rustc).
 
---own DIR runs the own tests that were handed in against the solution and the known mistakes of the lab: DIR is the
+--own DIR runs the own tests that were handed in against the solution and the known mistakes of the lab: DIR is the \
 folder `labs` of a checkout. The report says how many mistakes they catch, and never which.
 
---shard PART/PARTS grades one part of a class, for a matrix of machines: each is given the whole class, the same seed
+--shard PART/PARTS grades one part of a class, for a matrix of machines: each is given the whole class, the same seed \
 and a folder of its own for --results; --merge puts these folders together.
 
-Submissions that look alike are named in the reports of a class, names and comments aside, and never in those that
+Submissions that look alike are named in the reports of a class, names and comments aside, and never in those that \
 a student gets. Compare them yourself: honest answers to small tasks are similar.
 
---course FILE takes points, needs, limits, visibility, bounds, hidden cases, the due date and the late rule from a
-course.toml (labs/README.md has a whole one). When something was handed in is taken from --times, else from --metadata,
-else from the LATE in a name of Canvas, and for want of a better one from the time of the file; the report says which.
+--course FILE takes points, needs, limits, visibility, bounds, hidden cases, the due date and the late rule from a \
+course.toml (labs/README.md has a whole one). When something was handed in is taken from --times, else from --metadata, \
+else from the LATE in a name of Canvas, and for want of a better one from the time of the file; the report says which. \
 With --from-report a changed course is applied to what was graded before.
 
-Formats: text html markdown json junit csv bugs statistics hold a class; gradescope classroom50 exercism hold one submission:
+Formats: text html markdown json junit csv bugs statistics hold a class; gradescope classroom50 exercism hold one submission: \
 with several, write {submission} where its name shall stand in the file's.
 
-Exit code 0 once all reports are written, whatever the grades; --fail-under changes that. 3 if the grader itself
+Exit code 0 once all reports are written, whatever the grades; --fail-under changes that. 3 if the grader itself \
 fails whatever it is given: then no report tells of it. 130 after Ctrl-C, 143 after SIGTERM.
 
 Examples:

@@ -15,8 +15,8 @@ const PRINTED: usize = 10;
 /// Build your code, run the graded tests, and say what to do next
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Shows a line for each test and, in full, the first one that fails: it is the next thing to do. Only the file that you
-hand in is taken, and built with the given ones: so the verdicts are those of `cargo test` and of your instructor's
+Shows a line for each test and, in full, the first one that fails: it is the next thing to do. Only the file that you \
+hand in is taken, and built with the given ones: so the verdicts are those of `cargo test` and of your instructor's \
 grader. --own runs cases of your own, with the answers that you expect (tests/own.txt). A note says what else you have changed. Pictures of what went wrong are in target/check/report.html.
 
 Examples:

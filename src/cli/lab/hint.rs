@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// Get a hint: a nudge, then a pointer, then nearly the code
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Without a number it is the next hint of the task at hand: the first one that failed in the last `dcel lab check`, or
+Without a number it is the next hint of the task at hand: the first one that failed in the last `dcel lab check`, or \
 else the first one that is still to be written. `dcel lab list 04` lists the tasks.
 
 Examples:

@@ -7,7 +7,7 @@ use std::io::Write;
 /// Read how others think of the solution, once everything passes
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-The lab is checked first, as `dcel lab check` does it: the idea is for those who have found one of their own. An
+The lab is checked first, as `dcel lab check` does it: the idea is for those who have found one of their own. An \
 instructor can switch it off, by `idea = false` below the lab in course.toml.
 
 Examples:

@@ -39,7 +39,7 @@ use super::{Answer, Failure, Output};
 /// Do a lab, or set one; alone, it says how far you are in the course
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Alone it lists the labs of the course.toml in this folder or one above, or else all labs, with what the last
+Alone it lists the labs of the course.toml in this folder or one above, or else all labs, with what the last \
 `dcel lab check` said of those in folders below, and what comes next.
 
 Examples:

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 /// Make a lab of your own: a whole one that grades rightly, to be changed into yours
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-What is made is a lab with one task, two tests and one known mistake: count the edges on the border. Change
-README.md, solution/lab.rs and judge/lib.rs step by step; `lab verify` in program/ says after each step whether
-it still grades rightly. program/ is the program `dcel` with your lab in it: it checks, grades, verifies and
+What is made is a lab with one task, two tests and one known mistake: count the edges on the border. Change \
+README.md, solution/lab.rs and judge/lib.rs step by step; `lab verify` in program/ says after each step whether \
+it still grades rightly. program/ is the program `dcel` with your lab in it: it checks, grades, verifies and \
 exports.
 
 The kit is found in the checkout that you are in; else --kit says where it is.

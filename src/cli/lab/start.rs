@@ -9,8 +9,8 @@ use std::path::PathBuf;
 /// Make a folder to do a lab in
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-The folder is a package of its own: it can be moved, to another machine too, and its code depends on nothing but the
-standard library. Only its tests use the kit, whose sources lie in kit/; --kit names another place. What the kit itself
+The folder is a package of its own: it can be moved, to another machine too, and its code depends on nothing but the \
+standard library. Only its tests use the kit, whose sources lie in kit/; --kit names another place. What the kit itself \
 needs is downloaded with the first `cargo test`; with --vendor it lies in vendor/, for a room without the network.
 
 Examples:

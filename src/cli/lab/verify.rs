@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 /// Prove that a lab grades rightly: solution, starter, every known mistake
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-The solution passes everything; the starter compiles without warnings and is unattempted everywhere; every bug is
-caught and called by its name; every test catches a bug; a student's folder holds nothing of the solution; two runs
+The solution passes everything; the starter compiles without warnings and is unattempted everywhere; every bug is \
+caught and called by its name; every test catches a bug; a student's folder holds nothing of the solution; two runs \
 give the same report.
 
-It reads the labs of a checkout, because a program for students holds no solution and no wrong ones: the checkout that
+It reads the labs of a checkout, because a program for students holds no solution and no wrong ones: the checkout that \
 you are in, or the folder that --labs names.
 
 Examples:

@@ -25,7 +25,7 @@ const KEYS: &str = "h hint   l list of tests   r reset   q quit";
 /// Check now, and again whenever you save your file
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-On a terminal these keys work: h the next hint, l the list of tests, r begin again (asks first), q quit. Elsewhere
+On a terminal these keys work: h the next hint, l the list of tests, r begin again (asks first), q quit. Elsewhere \
 end it with Ctrl-C.
 
 Examples:

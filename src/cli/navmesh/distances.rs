@@ -28,7 +28,7 @@ use std::io::Write;
 /// faces that cost nothing can make it more.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Many vertices inside an open floor take long: twice as many
+Many vertices inside an open floor take long: twice as many \
 up to four times; so do rows of pillars. --limit bounds it.
 
 Examples:

@@ -36,7 +36,7 @@ use std::io::Write;
 #[derive(clap::Args, Debug)]
 #[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
-The exact path along a row of many pillars takes long: twice
+The exact path along a row of many pillars takes long: twice \
 as many up to four times. --algorithm closest is quicker.
 
 Examples:

@@ -17,7 +17,7 @@ use std::process::{Command, Stdio};
 /// Writes one page that holds the whole kit: no server, no network.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-The page opens in the browser of this machine, if it has a display. A file of any format becomes the scene that the page
+The page opens in the browser of this machine, if it has a display. A file of any format becomes the scene that the page \
 begins with: a structure, points, or a script.
 
 Examples:

@@ -15,7 +15,9 @@ use std::path::{Path, PathBuf};
 
 /// Reads a surface in space.
 pub(crate) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Failure> {
-    let subject = input.as_surface().open_as(file, false)?;
+    // What mends polygons of the plane mends no surface.
+    let opened = input.as_surface().open_as(file, false).map_err(|failure| failure.without_advice(" or --mend"));
+    let subject = opened?;
     match subject.kind {
         Kind::Surface(polyhedron) => Ok(polyhedron),
         Kind::Plane(_) | Kind::Table(_) => {

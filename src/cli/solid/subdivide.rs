@@ -1,6 +1,6 @@
 //! `dcel solid subdivide`: finer and rounder.
 
-use super::common::{Target, check_finer, open};
+use super::common::{Target, check_finer, open, refused};
 use crate::choice::{number, within};
 use crate::input::InputOptions;
 use crate::{Answer, Failure, Output};
@@ -43,7 +43,11 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut creases = sharp_edges(&solid, args.sharper);
     for _ in 0..args.steps {
         let finer = if args.by_loop { solid.loop_subdivision(&creases) } else { solid.catmull_clark(&creases) };
-        let finer = finer.map_err(|error| Failure::about(args.file.display(), error))?;
+        let finer = finer.map_err(|error| {
+            let help =
+                "cut its faces into triangles with dcel solid split, or leave --loop out: Catmull–Clark takes them all";
+            refused(&args.file, &error).helped_by(help)
+        })?;
         (solid, creases) = (finer.polyhedron, finer.creases);
     }
     args.target.put("subdivided", &solid, None, out)

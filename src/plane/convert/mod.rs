@@ -151,11 +151,11 @@ impl Subdivision {
     /// # Errors
     /// [`ConvertError`] names the faces and vertices that do not fit.
     pub fn convert_triangles(
-        points: Vec<Point>,
+        mut points: Vec<Point>,
         triangles: &[[u32; 3]],
         options: &ConvertOptions,
     ) -> Result<Converted, ConvertError> {
-        convert(points, triangles, options)
+        convert(&mut points, triangles, options)
     }
 
     /// [`from_polygons`](Self::from_polygons) with options and a report.
@@ -163,7 +163,29 @@ impl Subdivision {
     /// # Errors
     /// [`ConvertError`] names the faces and vertices that do not fit.
     pub fn convert_polygons(
-        points: Vec<Point>,
+        mut points: Vec<Point>,
+        polygons: &PolygonList,
+        options: &ConvertOptions,
+    ) -> Result<Converted, ConvertError> {
+        Self::convert_list(&mut points, polygons, options)
+    }
+
+    /// [`convert_triangles`](Self::convert_triangles) or [`convert_polygons`](Self::convert_polygons), whichever fits, that
+    /// takes the points only if all is well.
+    #[cfg(feature = "io")]
+    pub(crate) fn convert_taking(
+        points: &mut Vec<Point>,
+        faces: &PolygonList,
+        options: &ConvertOptions,
+    ) -> Result<Converted, ConvertError> {
+        match faces.as_triangles() {
+            Some(triangles) if !options.insert_touching => convert(points, triangles, options),
+            _ => Self::convert_list(points, faces, options),
+        }
+    }
+
+    fn convert_list(
+        points: &mut Vec<Point>,
         polygons: &PolygonList,
         options: &ConvertOptions,
     ) -> Result<Converted, ConvertError> {
@@ -171,7 +193,7 @@ impl Subdivision {
             return convert(points, polygons, options);
         }
         let options = ConvertOptions { full_check: true, insert_touching: false, ..*options };
-        convert(points.clone(), polygons, &options).or_else(|error| {
+        convert(points, polygons, &options).or_else(|error| {
             // Other errors no corner would help.
             let between_rings = matches!(
                 error,
@@ -181,7 +203,7 @@ impl Subdivision {
                     | ConvertError::InPieces { .. }
                     | ConvertError::InsideFace { .. }
             );
-            let Some((whole, inserted)) = between_rings.then(|| insert_touching(&points, polygons)).flatten() else {
+            let Some((whole, inserted)) = between_rings.then(|| insert_touching(points, polygons)).flatten() else {
                 return Err(error);
             };
             Ok(Converted { inserted, ..convert(points, &whole, &options)? })
@@ -189,7 +211,12 @@ impl Subdivision {
     }
 }
 
-fn convert<F: Turn + ?Sized>(points: Vec<Point>, faces: &F, options: &ConvertOptions) -> Result<Converted, ConvertError>
+/// Takes the points if all is well, and leaves them where it is not.
+fn convert<F: Turn + ?Sized>(
+    points: &mut Vec<Point>,
+    faces: &F,
+    options: &ConvertOptions,
+) -> Result<Converted, ConvertError>
 where
     F::Owned: std::borrow::Borrow<F>,
 {
@@ -197,7 +224,7 @@ where
         point.check().map_err(|error| ConvertError::Coordinate { vertex: vertex as u32, error })?;
     }
     faces.check_each(points.len())?;
-    let found = directions(&points, faces)?;
+    let found = directions(points, faces)?;
     if found.cycles.is_empty() {
         return finish(points, faces, Vec::new(), options);
     }
@@ -241,7 +268,7 @@ fn directions<F: Faces + ?Sized>(points: &[Point], faces: &F) -> Result<WrongWay
 
 /// All cycles run the right way.
 fn finish<F: Turn + ?Sized>(
-    points: Vec<Point>,
+    points: &mut Vec<Point>,
     faces: &F,
     turned: Vec<u32>,
     options: &ConvertOptions,
@@ -252,30 +279,43 @@ fn finish<F: Turn + ?Sized>(
     })?;
     let mut dcel = Dcel::from_columns(matched.columns);
     let number = |dcel: &Dcel, h: HalfEdgeId| (!dcel.lacks_face(h)).then(|| dcel.face(h).number() - 1);
-    let linked = fans::link_by_angle(&mut dcel, &points, &matched.pinched, number);
-    let mut subdivision = Subdivision::from_parts(dcel, points.into());
+    let linked = fans::link_by_angle(&mut dcel, points, &matched.pinched, number);
+    let mut subdivision = Subdivision::from_parts(dcel, std::mem::take(points).into());
     let nested = linked.and_then(|()| subdivision.nest(&matched.border, faces.with_holes()));
-    let inner_components = match nested {
-        Ok(count) => count,
-        Err(error) => {
-            // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
-            let intersection = if options.full_check { subdivision.intersection() } else { None };
-            return Err(intersection.map_or(error, ConvertError::Geometry));
-        }
+    let settled = match nested {
+        Ok(inner_components) => subdivision.settle_in_plane(inner_components, matched.isolated > 0, options.full_check),
+        // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
+        Err(error) => Err(options.full_check.then(|| subdivision.intersection()).flatten().map_or(error, Into::into)),
     };
-    let mut unused_vertices = Vec::new();
-    if matched.isolated > 0 {
-        unused_vertices.extend(subdivision.dcel.vertices().filter(|&v| subdivision.dcel.outgoing(v).is_none()));
-        for &v in unused_vertices.iter().rev() {
-            subdivision.dcel.remove_vertex_record(v, &mut NoRecorder);
+    match settled {
+        Ok(unused_vertices) => Ok(Converted { subdivision, turned, unused_vertices, inserted: Vec::new() }),
+        Err(error) => {
+            *points = subdivision.points.into_vec();
+            Err(error)
         }
     }
-    let looks = options.full_check || !fits_the_plane(&subdivision, inner_components);
-    let violations = if looks { subdivision.geometry_violations() } else { Vec::new() };
-    if let Some(&violation) = violations.first() {
-        return Err(violation.into());
+}
+
+impl Subdivision {
+    /// Takes out the vertices without edges, if there are some, and returns them; then looks whether everything lies in
+    /// the plane.
+    fn settle_in_plane(
+        &mut self,
+        inner_components: usize,
+        has_isolated: bool,
+        full_check: bool,
+    ) -> Result<Vec<VertexId>, ConvertError> {
+        let mut unused = Vec::new();
+        if has_isolated {
+            unused.extend(self.dcel.vertices().filter(|&v| self.dcel.outgoing(v).is_none()));
+            for &v in unused.iter().rev() {
+                self.dcel.remove_vertex_record(v, &mut NoRecorder);
+            }
+        }
+        let looks = full_check || !fits_the_plane(self, inner_components);
+        let violations = if looks { self.geometry_violations() } else { Vec::new() };
+        violations.first().map_or(Ok(unused), |&violation| Err(violation.into()))
     }
-    Ok(Converted { subdivision, turned, unused_vertices, inserted: Vec::new() })
 }
 
 /// Euler's relation V - E + (F - 1) = C, with the inner components for C: without a walk it tells that every component

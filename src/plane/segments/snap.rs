@@ -31,7 +31,7 @@
 use super::chains::{Snapped, Split};
 use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
-use crate::geometry::predicates::left_to_right;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::meet::{EventPlace, Grid, visit_intersections};
 use crate::topology::find;
@@ -160,10 +160,12 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
     let mut starts = Vec::with_capacity(plain.edges.len() + 1);
     let mut pieces: Vec<[u32; 2]> = Vec::new();
     let mut passed = Vec::new();
+    let mut bends = false;
     for (e, &[a, b]) in plain.edges.iter().enumerate() {
         starts.push(pieces.len() as u32);
         if chosen[a as usize] {
             pixels.passed(at(a), at(b), &mut passed);
+            bends |= passed.iter().any(|&pixel| orientation(at(a), at(b), pixels.middles[pixel as usize]).is_ne());
             pieces.extend(passed.windows(2).map(|pair| [middle(pair[0]), middle(pair[1])]));
         } else {
             let range = plain.split.starts[e] as usize..plain.split.starts[e + 1] as usize;
@@ -183,7 +185,8 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
         let (from, to) = (at(p), places[p as usize]);
         (number[p as usize], (to.x - from.x).hypot(to.y - from.y))
     };
-    let displaced = (0..given).map(moved).filter(|&(_, by)| by > 0.0).collect();
+    let displaced: Vec<(u32, f64)> = (0..given).map(moved).filter(|&(_, by)| by > 0.0).collect();
+    let is_moved = bends || !displaced.is_empty() || off.iter().any(|&(_, by)| by > 0.0);
     let mut origin = vec![None; points.len()];
     for p in (0..graph.points.len() as u32).filter(|&p| !chosen[p as usize]) {
         origin[now[p as usize] as usize] = Some(p);
@@ -197,7 +200,7 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
             chain: half,
             made,
             rounds: plain.split.rounds + 1,
-            farthest: grid.half_diagonal().max(farthest),
+            farthest: if is_moved { grid.half_diagonal().max(farthest) } else { farthest },
             snapped: Some(Snapped { grid, number: number[..plain.given].to_vec(), given: of_given, displaced }),
         },
         origin,

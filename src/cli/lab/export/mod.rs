@@ -19,15 +19,15 @@ use std::path::{Path, PathBuf};
 /// Pack a lab for students, or its grader for Gradescope or Classroom 50; or all of a course
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-For students: the folder that `dcel lab start` makes, without solution and bugs; it is also the template of an
-assignment in Classroom 50. For Gradescope: the archive to upload as the autograder. For Classroom 50: what belongs in
-CLASSROOM/autograders/ASSIGNMENT/. The sources of the kit lie in all of them, so they need nothing of this machine;
---kit names another place for them. What the kit itself needs is downloaded when it is built, or lies in the student's
+For students: the folder that `dcel lab start` makes, without solution and bugs; it is also the template of an \
+assignment in Classroom 50. For Gradescope: the archive to upload as the autograder. For Classroom 50: what belongs in \
+CLASSROOM/autograders/ASSIGNMENT/. The sources of the kit lie in all of them, so they need nothing of this machine; \
+--kit names another place for them. What the kit itself needs is downloaded when it is built, or lies in the student's \
 folder (--vendor).
 
---course FILE packs all labs of a course.toml into the folder --out, a new one: site/ is the course page with every
-handout, its figures and the archives for students, for any web server or none; gradescope/ and classroom50/ hold an
-autograder for each lab, with the points and limits of the course. Hidden cases are in gradescope/ alone. If own tests
+--course FILE packs all labs of a course.toml into the folder --out, a new one: site/ is the course page with every \
+handout, its figures and the archives for students, for any web server or none; gradescope/ and classroom50/ hold an \
+autograder for each lab, with the points and limits of the course. Hidden cases are in gradescope/ alone. If own tests \
 give points, the labs with their known mistakes are needed: --labs DIR, or a checkout around this folder.
 
 Examples:
