@@ -81,7 +81,7 @@ impl Critic<'_> {
                 counted(excused, "face lies beside what differs and is", "faces lie beside what differs and are");
             self.notes.push(format!("{count} not compared"));
         }
-        if outer > 0 {
+        if outer > 0 || self.fills_hole {
             self.notes.push("the outer face, or a hole, is filled, too".to_owned());
         }
         let missing: Vec<&Outline> = missing.into_iter().filter(|outline| !excuses.expected(outline)).collect();

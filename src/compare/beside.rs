@@ -116,11 +116,21 @@ impl Trim {
     }
 }
 
+/// Which lines of a reference are a frame: a rectangle round everything, clear of it, without a vertex of its own where the
+/// others are drawn. Ticks beyond it go with it.
+pub(super) fn frames(drawing: &Drawing) -> Vec<bool> {
+    if drawing.dots.iter().any(|dot| !dot.aside) {
+        Trim::all(drawing, Vec::new()).border
+    } else {
+        vec![false; drawing.lines.len()]
+    }
+}
+
 /// A frame that may stand round a drawing.
 struct Border {
     extent: Extent,
-    /// The element that draws it with round corners.
-    rounded: Option<u32>,
+    /// The element whose lines it is, if it is known.
+    drawn: Option<u32>,
 }
 
 impl Border {
@@ -130,12 +140,12 @@ impl Border {
 
     /// Whether a line is one of its sides.
     fn has(&self, line: &Line) -> bool {
-        self.rounded == Some(line.shape) || self.extent.runs_along(line.ends, self.slack())
+        self.drawn == Some(line.shape) || self.extent.runs_along(line.ends, self.slack())
     }
 }
 
-/// The canvas and the filled rectangles that hold all that is drawn, but what runs along their border; and rectangles with
-/// round corners that do so, filled or not. Unless `clear`, what they hold may touch them.
+/// The canvas and the rectangles, filled or not, also with round corners, that hold all that is drawn, but what runs along
+/// their border. Unless `clear`, what they hold may touch them.
 fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
     let rectangle = |outline: &Outline| {
         let around = Extent::around(outline.points.clone());
@@ -145,8 +155,8 @@ fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
     };
     let canvas = drawing.canvas.map(|[low, high]| Extent { low, high });
     let sharp = drawing.outlines.iter().filter_map(rectangle).chain(canvas);
-    let sharp = sharp.map(|extent| Border { extent, rounded: None });
-    let mut all: Vec<Border> = sharp.chain(rounded(drawing)).collect();
+    let sharp = sharp.map(|extent| Border { extent, drawn: None });
+    let mut all: Vec<Border> = sharp.chain(drawn(drawing)).collect();
     all.sort_by(|a, b| b.extent.size().total_cmp(&a.extent.size()));
     all.truncate(BORDERS);
     all.retain(|frame| {
@@ -167,11 +177,11 @@ fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
     all
 }
 
-/// The rectangles with round corners: elements of four straight lines, each more than half of a side of the box round
-/// them, and of curves between these. O(lines).
-fn rounded(drawing: &Drawing) -> impl Iterator<Item = Border> + '_ {
+/// The rectangles by their lines: elements of four straight lines, each more than half of a side of the box round them,
+/// perhaps with curves between these. O(lines).
+fn drawn(drawing: &Drawing) -> impl Iterator<Item = Border> + '_ {
     let of_one = drawing.lines.chunk_by(|a, b| a.shape == b.shape).filter(|lines| lines.len() == 4);
-    of_one.filter(|lines| lines.iter().all(|line| line.curved)).filter_map(|lines| {
+    of_one.filter_map(|lines| {
         let extent = Extent::around(lines.iter().flat_map(|line| line.ends).collect());
         let slack = 1e-6 * extent.size();
         let is_side = |side: [Point; 2]| {
@@ -183,7 +193,7 @@ fn rounded(drawing: &Drawing) -> impl Iterator<Item = Border> + '_ {
         };
         let corners = extent.corners();
         let all = (0..4).all(|i| is_side([corners[i], corners[(i + 1) % 4]]));
-        all.then_some(Border { extent, rounded: Some(lines[0].shape) })
+        all.then_some(Border { extent, drawn: Some(lines[0].shape) })
     })
 }
 

@@ -9,7 +9,8 @@ use super::Options;
 use super::beside::{Trim, thin};
 use super::drawing::Drawing;
 use super::error::{Fault, Problem};
-use super::eye::{Eye, Filling};
+use super::eye::Eye;
+use super::filling::Filling;
 use super::frame::{Best, Frame, Search, Turn};
 use super::graph::{Graph, Matched, Telling};
 use super::ink::Hidden;
@@ -49,6 +50,8 @@ struct Unseen {
     /// fills nothing.
     pale: BTreeMap<usize, Hidden>,
     hollow: BTreeSet<usize>,
+    /// Holes of the reference, by their numbers, that are filled.
+    filled: BTreeSet<usize>,
 }
 
 /// What cannot be seen of the reference's own drawing: nobody else has to show it.
@@ -59,6 +62,8 @@ struct Excused {
     merges: bool,
     dots: BTreeSet<u32>,
     faces: BTreeSet<Vec<u32>>,
+    /// Holes that something else fills.
+    filled: BTreeSet<usize>,
 }
 
 /// What is expected to be drawn.
@@ -125,6 +130,7 @@ impl<'a> Target<'a> {
             let ring: Option<Vec<u32>> = found.outlines[i].ring.iter().map(|&m| partner(m)).collect();
             Some(rings::canonical(&ring?))
         };
+        out.filled = unseen.filled;
         let is_unseen = |i: &usize| unseen.pale.contains_key(i) || unseen.hollow.contains(i);
         out.faces.extend((0..found.outlines.len()).filter(is_unseen).filter_map(ring));
         // A face may be the hole of another one, and be filled itself.
@@ -293,6 +299,12 @@ impl<'a> Target<'a> {
                 Filling::Hollow => drop(out.hollow.insert(i)),
             }
         }
+        for (i, hole) in self.sketch.holes.iter().enumerate() {
+            let ring = hole.iter().map(|&v| frame.back(self.sketch.graph.point(v))).collect();
+            if eye.is_filled(ring) {
+                out.filled.insert(i);
+            }
+        }
         let agrees = matched.faults() == 0 && out.edges.is_empty() && out.dots.is_empty();
         if eye.is_tired() && agrees {
             return Err(
@@ -330,6 +342,7 @@ impl<'a> Target<'a> {
             matched: &matched,
             pale: &unseen.pale,
             hollow: &unseen.hollow,
+            fills_hole: !unseen.filled.is_empty(),
             differences: Vec::new(),
             notes: Vec::new(),
         };
@@ -376,7 +389,8 @@ impl<'a> Target<'a> {
 
     /// Takes out what the reference's own drawing hides, too.
     fn excuse(&self, unseen: &mut Unseen, found: &Sketch, matched: &Matched) -> Result<(), Fault> {
-        if unseen.edges.is_empty() && unseen.dots.is_empty() && unseen.pale.is_empty() && unseen.hollow.is_empty() {
+        let all_seen = unseen.edges.is_empty() && unseen.dots.is_empty() && unseen.pale.is_empty();
+        if all_seen && unseen.hollow.is_empty() && unseen.filled.is_empty() {
             return Ok(());
         }
         let excused = self.excused()?;
@@ -393,6 +407,7 @@ impl<'a> Target<'a> {
         };
         unseen.pale.retain(|&i, _| !is_excused(&found.outlines[i]));
         unseen.hollow.retain(|&i| !is_excused(&found.outlines[i]));
+        unseen.filled.retain(|hole| !excused.filled.contains(hole));
         Ok(())
     }
 
@@ -419,6 +434,8 @@ pub(super) struct Critic<'a> {
     pub(super) pale: &'a BTreeMap<usize, Hidden>,
     /// Outlines in which their own path fills nothing: they fill no face.
     pub(super) hollow: &'a BTreeSet<usize>,
+    /// Whether a hole of the reference is filled.
+    pub(super) fills_hole: bool,
     differences: Vec<Difference>,
     pub(super) notes: Vec<String>,
 }

@@ -13,7 +13,7 @@
 use super::beside::Beside;
 use super::cells::{cell, column, entries, level, pieces};
 use super::ink::Hidden;
-use super::painting::{Area, Clip, Coat, Mark, PALE, Painting, Part, Shape};
+use super::painting::{Coat, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
 
@@ -45,7 +45,7 @@ const DOT: f64 = 0.2;
 
 /// The eye on one painting.
 pub(super) struct Eye<'a> {
-    painting: &'a Painting,
+    pub(super) painting: &'a Painting,
     /// Coats in the cells of grids of ever larger cells, sorted.
     cells: Vec<(u64, u32)>,
     levels: Vec<i32>,
@@ -62,18 +62,6 @@ pub(super) struct Eye<'a> {
     /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
     stack: Vec<u32>,
     letters: Vec<u32>,
-}
-
-/// What is seen of a face.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Filling {
-    Seen,
-    /// It has the colour of the paper.
-    Pale,
-    /// Its own path fills nothing in it.
-    Hollow,
-    /// A clip path or the border of the canvas cuts it off.
-    Cut(Hidden),
 }
 
 impl<'a> Eye<'a> {
@@ -138,7 +126,7 @@ impl<'a> Eye<'a> {
     }
 
     /// Finds the coats that cover a point, the lowest first.
-    fn look(&mut self, p: Point) {
+    pub(super) fn look(&mut self, p: Point) {
         self.stack.clear();
         self.letters.clear();
         for &level in &self.levels {
@@ -221,7 +209,7 @@ impl<'a> Eye<'a> {
     }
 
     /// The colour of the last point looked at, on white paper, of those coats.
-    fn colour(&self, keeps: impl Fn(u32, &Coat) -> bool) -> [f64; 3] {
+    pub(super) fn colour(&self, keeps: impl Fn(u32, &Coat) -> bool) -> [f64; 3] {
         let mut out = [255.0; 3];
         for &i in &self.stack {
             let coat = &self.painting.coats[i as usize];
@@ -234,7 +222,7 @@ impl<'a> Eye<'a> {
     }
 
     /// The colour of the paper at the last point looked at.
-    fn blank(&self) -> [f64; 3] {
+    pub(super) fn blank(&self) -> [f64; 3] {
         self.colour(|i, _| self.paper.binary_search(&i).is_ok())
     }
 
@@ -529,33 +517,6 @@ impl<'a> Eye<'a> {
         };
         self.stack.iter().find_map(other)
     }
-
-    /// What is seen of a face whose corners on the canvas are a ring, painted by a coat.
-    pub(super) fn face(&mut self, coat: u32, ring: Vec<Point>) -> Filling {
-        let painting = self.painting;
-        let Shape::Area(area) = &painting.coats[coat as usize].shape else { return Filling::Seen };
-        let ring = Area::new(&[ring], false);
-        let points = area.inner_points(&ring);
-        if points.is_empty() {
-            return Filling::Hollow;
-        }
-        let coat = &painting.coats[coat as usize];
-        let cut: Vec<&Clip> = points.iter().filter_map(|&p| painting.cut_off(coat, p)).collect();
-        if 2 * cut.len() > points.len() {
-            let by_canvas = cut.iter().any(|clip| clip.canvas);
-            return Filling::Cut(if by_canvas { Hidden::Canvas } else { Hidden::Clip });
-        }
-        let mut seen = 0;
-        for &p in &points {
-            if self.is_tired() {
-                return Filling::Seen;
-            }
-            self.look(p);
-            let areas = self.colour(|_, coat| coat.part == Part::Area);
-            seen += usize::from(contrast(areas, self.blank()) >= PALE);
-        }
-        if 2 * seen > points.len() { Filling::Seen } else { Filling::Pale }
-    }
 }
 
 /// The lines along an edge, sorted, and half their widths, sorted; the letters at a point of it that nobody can read.
@@ -602,6 +563,6 @@ fn hiding(part: Part) -> Hidden {
     }
 }
 
-fn contrast(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(super) fn contrast(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

@@ -18,6 +18,7 @@
 //!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
 //!   error.rs       Why a file cannot be compared, and where
+//!   filling.rs     What is seen of faces and holes
 //!   frame.rs       From the student's canvas to the coordinates of the reference
 //!   geometry.rs    Geometry that a style says
 //!   graph.rs       Vertices and edges of two drawings
@@ -63,7 +64,7 @@
 //! |---|---|
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
 //! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws |
-//! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure may be left as paper; further corners on its straight sides are no fault |
+//! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
 //! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
@@ -71,8 +72,9 @@
 //! declares nothing. A style also says where a circle, an ellipse, a rectangle or a picture lies and how large it is
 //! (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its paper. Passed over: texts and
 //! markers of ordinary size, labels in a `foreignObject`, curves, what is not displayed, an area round everything
-//! (paper) with the lines along its border, sharp or with round corners, and the ticks beyond it, what is called
-//! legend or axis and stands clear of the structure, spines and ticks of matplotlib, a legend in a free corner of it,
+//! (paper) with the lines along its border, a rectangle round everything, filled or not, sharp or with round corners
+//! (in a reference: if vertices are circles there, and it has none), and the ticks beyond it, what is called legend or
+//! axis and stands clear of the structure, what lies behind axes of matplotlib, their spines and ticks, a legend in a free corner of it,
 //! without a box, or with one that lets edges shine through (one whose box hides something is told as that), small
 //! areas that touch no vertex (letters), rims of letters and boxes round them, animations of what is not read, and
 //! anything else with a note. A filled outline clear of the structure is no letter: it is a face too many. In the
@@ -131,6 +133,7 @@ mod drawn;
 mod error;
 mod eye;
 mod faces;
+mod filling;
 mod frame;
 mod geometry;
 mod graph;

@@ -144,6 +144,23 @@ impl Area {
         heights.into_iter().filter_map(widest).collect()
     }
 
+    /// Whether a ring that is a part of it is a hole: what is painted lies just outside of one of its first sides, and
+    /// nothing just inside. O(corners of the ring, and sides of some bands).
+    pub(super) fn leaves_empty(&self, ring: &[Point]) -> bool {
+        let twice = super::rings::area(ring.iter().copied());
+        let sides = || (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()]));
+        let length = |a: Point, b: Point| super::pairing::distance(a, b);
+        let around: f64 = sides().map(|(a, b)| length(a, b)).sum();
+        // Beside the middle of a side, to the left of it if it runs counter-clockwise: a small part of how wide the ring is.
+        let beside = |a: Point, b: Point, part: f64| {
+            let way = part * twice / (around * length(a, b));
+            let p = Point::new(0.5 * (a.x + b.x) - way * (b.y - a.y), 0.5 * (a.y + b.y) + way * (b.x - a.x));
+            self.covers(p).0
+        };
+        let mut asked = sides().filter(|&(a, b)| a != b).take(SIDES);
+        twice != 0.0 && asked.any(|(a, b)| beside(a, b, -1e-3) && !beside(a, b, 1e-3))
+    }
+
     /// Where the sides meet a height.
     fn meetings(&self, y: f64) -> impl Iterator<Item = f64> + '_ {
         let band = match self.bands.len() {
@@ -173,6 +190,8 @@ impl Area {
     }
 }
 
+/// So many sides of a ring are asked whether it is a hole.
+const SIDES: usize = 16;
 /// Less contrast than this, in steps of 255, cannot be seen of areas.
 pub(super) const PALE: f64 = 4.0;
 /// Markers and letters are of ordinary size up to these parts of the drawing.

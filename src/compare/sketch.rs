@@ -9,7 +9,7 @@
 //! The reference is cut at its own points; the student's drawing, once it is in the coordinates of the reference, at
 //! the points of the reference. So a further dot on an edge is one fault, and not three.
 
-use super::beside::{Area, Beside, Called, Extent, Trim, kind};
+use super::beside::{self, Area, Beside, Called, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
 use super::error::{Fault, Problem};
 use super::frame::Frame;
@@ -51,6 +51,8 @@ pub(super) struct Sketch {
     pub(super) outlines: Vec<Outline>,
     /// Outlines that may be filled, and need not be: of the outer face and of holes.
     pub(super) welcome: Vec<Vec<u32>>,
+    /// Outlines that their own element leaves empty.
+    pub(super) holes: Vec<Vec<u32>>,
     /// Edges that are drawn, but only so that nobody sees them.
     pub(super) hidden: BTreeMap<[u32; 2], Hidden>,
     /// How many edges are drawn more than once.
@@ -107,6 +109,9 @@ impl Sketch {
         let mut visible = drawing.clone();
         visible.lines.retain(|line| line.hidden.is_none());
         visible.dots.retain(|dot| dot.hidden.is_none());
+        let frames = beside::frames(&visible);
+        let mut stays = frames.iter().map(|is_frame| !is_frame);
+        visible.lines.retain(|_| stays.next().unwrap_or(true));
         let read = |drawing: &Drawing| Self::read(drawing, &Frame::IDENTITY, &[], tolerance, &Trim::nothing(drawing));
         if drawing.has_legend() {
             let mut rest = visible.clone();
@@ -123,6 +128,8 @@ impl Sketch {
         let holes: BTreeSet<Vec<u32>> = holes.flat_map(|ring| [rings::reversed(&ring), ring]).collect();
         out.outlines.retain(|outline| !holes.contains(&rings::canonical(&outline.ring)));
         out.welcome.extend(holes);
+        let empty = out.holes.iter().flat_map(|ring| [rings::reversed(ring), rings::canonical(ring)]);
+        out.welcome.extend(empty.collect::<Vec<_>>());
         Ok(out)
     }
 
@@ -244,7 +251,7 @@ impl Sketch {
                 }
             }
         }
-        let mut outlines = Vec::new();
+        let (mut outlines, mut holes) = (Vec::new(), Vec::new());
         for (outline, corners) in &shapes {
             let mut ring = Vec::new();
             for (i, &p) in corners.iter().enumerate() {
@@ -254,7 +261,9 @@ impl Sketch {
                 }
             }
             let ring = rings::tidy(&ring);
-            if ring.len() > 2 {
+            if ring.len() > 2 && outline.empty {
+                holes.push(ring);
+            } else if ring.len() > 2 {
                 outlines.push(Outline { ring, name: outline.name.clone(), hole: outline.hole, coat: outline.coat });
             }
         }
@@ -267,9 +276,9 @@ impl Sketch {
         graph.edges.iter().flatten().for_each(|&m| ends[m as usize] = true);
         let (dots, radii) = (0..graph.points.len() as u32).map(dot).unzip();
         beside.bars.sort_unstable();
-        beside.paper.extend(drawing.ground);
+        beside.paper.extend(&drawing.paper);
         beside.paper.sort_unstable();
-        Ok(Self { graph, dots, radii, ends, outlines, welcome: Vec::new(), hidden, unseen, doubled, beside })
+        Ok(Self { graph, dots, radii, ends, outlines, welcome: Vec::new(), holes, hidden, unseen, doubled, beside })
     }
 
     /// Takes out what turned out not to be seen: edges, and points that only such edges or circles had. `keeps` says
@@ -302,6 +311,7 @@ impl Sketch {
         self.ends = kept(&self.ends, &used);
         self.graph.edges.iter_mut().flatten().for_each(|m| *m = new(*m));
         self.outlines.iter_mut().flat_map(|outline| &mut outline.ring).for_each(|m| *m = new(*m));
+        self.holes.clear();
         let before = self.hidden.len();
         self.hidden = std::mem::take(&mut self.hidden).into_iter().map(|(edge, why)| (edge.map(new), why)).collect();
         self.hidden.retain(|edge, _| edge.iter().all(|m| *m != u32::MAX));

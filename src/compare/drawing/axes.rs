@@ -2,13 +2,13 @@
 //!
 //! ```text
 //!   <g id="axes_1">
-//!     <g id="patch_2"> a rectangle             what lies behind the drawing
+//!     <g id="patch_2"> a rectangle             what lies behind the drawing; it may be missing
 //!     <g id="matplotlib.axis_1"> ...           ticks, their texts, lines of a grid
 //!     <g id="line2d_5"> a line, clipped        the drawing
 //!     <g id="patch_3"> a line, not clipped     a spine: as long as a side of the rectangle
 //! ```
 //!
-//! Spines are no part of a structure wherever they lie, nor are level and upright lines of a tick that are short or begin
+//! What lies behind is paper. Spines are no part of a structure wherever they lie, nor are level and upright lines of a tick that are short or begin
 //! at the border. So an edge on which one of these lies is there only if it is drawn itself. What is called so outside of
 //! such a group is read as anything else.
 
@@ -29,6 +29,8 @@ const SHORT: f64 = 0.05;
 pub(in crate::compare) enum Axes {
     /// In a spine: a line of the frame, or one in its place.
     Spine,
+    /// In what lies behind the drawing.
+    Behind,
     /// In a tick, which may have a line of the grid, of axes with these corners.
     Tick([Point; 2]),
 }
@@ -36,7 +38,7 @@ pub(in crate::compare) enum Axes {
 impl Axes {
     /// Whether a line on the canvas is a part of the axes and of nothing else.
     pub(super) fn has(&self, [a, b]: [Point; 2]) -> bool {
-        let Self::Tick([low, high]) = *self else { return true };
+        let Self::Tick([low, high]) = *self else { return *self == Self::Spine };
         let size = (high.x - low.x).max(high.y - low.y);
         let near = |x: f64, y: f64| (x - y).abs() <= FIT * size;
         let begins = |p: Point| near(p.x, low.x) || near(p.x, high.x) || near(p.y, low.y) || near(p.y, high.y);
@@ -46,7 +48,7 @@ impl Axes {
 
     /// The number of its kind.
     pub(super) fn number(&self) -> usize {
-        usize::from(*self != Self::Spine)
+        usize::from(matches!(self, Self::Tick(_)))
     }
 }
 
@@ -55,20 +57,45 @@ pub(super) fn part(node: Node<'_, '_>, transform: &Transform) -> Option<Axes> {
     let id = node.attribute("id").filter(|_| node.tag_name().name() == "g")?;
     if is_numbered(id, "xtick_") || is_numbered(id, "ytick_") {
         let axis = node.parent_element().filter(|axis| is_called(*axis, "matplotlib.axis_"))?;
-        let behind = points(behind(axis.parent_element()?)?, 4)?;
-        return Some(Axes::Tick(corners(behind.into_iter().map(|p| flipped(transform.apply(p))))));
+        let whole = whole(axis.parent_element()?)?;
+        return Some(Axes::Tick(corners(whole.into_iter().map(|p| flipped(transform.apply(p))))));
     }
-    let axes = node.parent_element().filter(|_| is_numbered(id, "patch_"))?;
-    let spine = only_path(node).filter(|path| !path.has_attribute("clip-path"))?;
-    let (spine, whole) = (sides(&points(spine, 2)?), sides(&points(behind(axes)?, 4)?));
+    let axes = node.parent_element().filter(|axes| is_numbered(id, "patch_") && is_called(*axes, "axes_"))?;
+    if axes.first_element_child() == Some(node) && behind(axes).is_some() {
+        return Some(Axes::Behind);
+    }
+    let (spine, whole) = (sides(&line(node)?), sides(&whole(axes)?));
     let is_side = |i: usize| (spine[i] - whole[i]).abs() <= FIT * whole[i] && spine[1 - i] <= FIT * whole[1 - i];
     (is_side(0) || is_side(1)).then_some(Axes::Spine)
 }
 
-/// The rectangle behind axes, which comes first in their group.
-fn behind<'a, 'i>(axes: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+/// The corners of the rectangle behind axes, which comes first in their group, and is not clipped as the drawing is.
+fn behind(axes: Node<'_, '_>) -> Option<Vec<[f64; 2]>> {
     let first = axes.first_element_child().filter(|first| is_called(axes, "axes_") && is_called(*first, "patch_"))?;
-    only_path(first)
+    points(unclipped(first)?, 4)
+}
+
+/// The corners of axes: of what lies behind, or if that is missing, of the four spines.
+fn whole(axes: Node<'_, '_>) -> Option<Vec<[f64; 2]>> {
+    if let Some(corners) = behind(axes) {
+        return Some(corners);
+    }
+    let groups = axes.children().filter(|group| is_called(axes, "axes_") && is_called(*group, "patch_"));
+    let lines: Vec<Vec<[f64; 2]>> = groups.filter_map(line).take(5).collect();
+    let ends = || lines.iter().flatten();
+    let least = |i: usize| ends().map(|p| p[i]).fold(f64::INFINITY, f64::min);
+    let most = |i: usize| ends().map(|p| p[i]).fold(f64::NEG_INFINITY, f64::max);
+    let (low, high) = ([least(0), least(1)], [most(0), most(1)]);
+    (lines.len() == 4).then(|| vec![low, [high[0], low[1]], high, [low[0], high[1]]])
+}
+
+/// The ends of a group that is one line, and not clipped.
+fn line(group: Node<'_, '_>) -> Option<Vec<[f64; 2]>> {
+    points(unclipped(group)?, 2)
+}
+
+fn unclipped<'a, 'i>(group: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    only_path(group).filter(|path| !path.has_attribute("clip-path"))
 }
 
 fn is_called(node: Node<'_, '_>, word: &str) -> bool {

@@ -113,6 +113,8 @@ pub(in crate::compare) struct Outline {
     pub(in crate::compare) name: String,
     /// Whether that is a hole.
     pub(in crate::compare) hole: bool,
+    /// Whether its own element leaves it empty, by the fill rule: a hole in a face.
+    pub(in crate::compare) empty: bool,
     /// What it paints.
     pub(in crate::compare) coat: u32,
     /// Whether some of its sides are curves.
@@ -153,8 +155,8 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) halves: Vec<Half>,
     pub(in crate::compare) names: Vec<Name>,
     pub(in crate::compare) painting: Painting,
-    /// The coat behind it all, by the style of the root.
-    pub(in crate::compare) ground: Option<u32>,
+    /// Coats that are paper: what lies behind it all by the style of the root, and what lies behind axes.
+    pub(in crate::compare) paper: Vec<u32>,
     /// The part of the plane that is shown: lowest and highest corner.
     pub(in crate::compare) canvas: Option<[Point; 2]>,
     /// What is passed over as a part of axes: lines of frames, and ticks and lines of grids.
@@ -231,7 +233,7 @@ impl Drawing {
         if let Some(paint) = sheet.ground {
             let wide = [[-GROUND, -GROUND], [GROUND, -GROUND], [GROUND, GROUND], [-GROUND, GROUND]];
             let area = Shape::Area(Area::new(&[wide.map(flipped).to_vec()], false));
-            reader.out.ground = Some(reader.out.painting.add(area, (paint, 1.0), None, Part::Area));
+            reader.out.paper.push(reader.out.painting.add(area, (paint, 1.0), None, Part::Area));
         }
         if let Some(room) = room {
             let corners = corners(room).map(|p| flipped(sheet.stretch.apply(p)));

@@ -5,6 +5,7 @@
 //!   ▭▭▭▭▭▭▭                         a thin filled rectangle may be a line: sketch.rs decides that by its ends
 //! ```
 
+use super::axes::Axes;
 use super::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
 use crate::compare::colour::Paint;
 use crate::compare::error::Fault;
@@ -93,20 +94,30 @@ impl<'a, 'i> Reader<'a, 'i> {
                 return;
             }
         }
-        let shape = Shape::Area(Area::new(&rings, around.ink.even_odd));
-        let coat = self.out.painting.add(shape, around.ink.fill(), around.clip, part);
+        let area = Area::new(&rings, around.ink.even_odd);
+        let is_empty = |points: &[(Point, bool)]| {
+            rings.len() > 1 && area.leaves_empty(&points.iter().map(|p| p.0).collect::<Vec<_>>())
+        };
+        let empty: Vec<bool> = placed.iter().map(|(points, _)| is_empty(points)).collect();
+        let coat = self.out.painting.add(Shape::Area(area), around.ink.fill(), around.clip, part);
+        if around.axes == Some(Axes::Behind) {
+            self.out.paper.push(coat);
+            return;
+        }
         // Hatches of the kit are decoration.
         if around.decorates || !self.fills || self.kit && around.ink.hatched {
             return;
         }
         let name = node.parent().map_or_else(String::new, declared::face_name);
         let hole = node.parent().is_some_and(|group| group.attribute("data-hole") == Some("true"));
-        for (points, closed) in placed.iter().filter(|(points, _)| points.len() > 2) {
+        let parts = placed.iter().zip(empty).filter(|((points, _), _)| points.len() > 2);
+        for ((points, closed), empty) in parts {
             if round(points, *closed).is_none() {
                 self.out.outlines.push(Outline {
                     points: points.iter().map(|p| p.0).collect(),
                     name: name.clone(),
                     hole,
+                    empty,
                     coat,
                     curved: points.iter().any(|p| p.1),
                     hidden: around.ink.hidden_fill(),

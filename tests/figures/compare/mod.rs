@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
 mod accepted;
+mod around;
 mod declared;
 mod foreign;
 mod geometry;
