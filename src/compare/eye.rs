@@ -18,7 +18,7 @@ use super::pairing::distance;
 use crate::plane::Point;
 
 /// Less contrast than this, in steps of 255, cannot be seen of lines and circles.
-const FAINT: f64 = 8.0;
+pub(super) const FAINT: f64 = 8.0;
 /// Lines that cover less of what lies below them are called transparent.
 const PALEST: f64 = 0.2;
 /// Work of one comparison: coats and sides looked at.
@@ -60,8 +60,8 @@ pub(super) struct Eye<'a> {
     span: f64,
     work: usize,
     /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
-    stack: Vec<u32>,
-    letters: Vec<u32>,
+    pub(super) stack: Vec<u32>,
+    pub(super) letters: Vec<u32>,
 }
 
 impl<'a> Eye<'a> {
@@ -452,58 +452,6 @@ impl<'a> Eye<'a> {
             }
         }
         out
-    }
-
-    /// Whether something is seen of the lines among these coats; `without` is the answer if there are none.
-    pub(super) fn any_line(&mut self, coats: std::ops::Range<u32>, without: bool) -> bool {
-        let painting = self.painting;
-        let mut lines = coats.filter(|&i| matches!(painting.coats[i as usize].shape, Shape::Stroke(..))).peekable();
-        let is_any = lines.peek().is_some();
-        if is_any { lines.any(|i| self.line(i)) } else { without }
-    }
-
-    /// Whether one line is seen at half of the points along it.
-    fn line(&mut self, i: u32) -> bool {
-        const POINTS: usize = 8;
-        let Shape::Stroke([a, b], _) = self.painting.coats[i as usize].shape else { return false };
-        let mut seen = 0;
-        for k in 0..POINTS {
-            if self.is_tired() {
-                return true;
-            }
-            let t = (k as f64 + 0.5) / POINTS as f64;
-            self.look(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
-            let (all, without) = (self.colour(|_, _| true), self.colour(|j, _| j != i));
-            seen += usize::from(contrast(all, without) >= FAINT);
-        }
-        2 * seen >= POINTS
-    }
-
-    /// Whether a coat changes the colour at one of these points.
-    pub(super) fn shows(&mut self, i: u32, points: &[Point]) -> bool {
-        points.iter().any(|&p| {
-            if !self.is_tired() {
-                self.look(p);
-            }
-            self.is_tired() || contrast(self.colour(|_, _| true), self.colour(|j, _| j != i)) >= FAINT
-        })
-    }
-
-    /// Whether letters can be read in the middle of their box: they have another colour than what lies below them, and
-    /// no area covers the box.
-    pub(super) fn is_read(&mut self, i: u32) -> bool {
-        let coat = &self.painting.coats[i as usize];
-        let [low, high] = coat.corners();
-        self.look(Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)));
-        let below = self.colour(|j, _| j < i);
-        let over = [0, 1, 2].map(|c| below[c] + coat.alpha * (coat.colour[c] - below[c]));
-        let covers = |&j: &u32| {
-            let above = &self.painting.coats[j as usize];
-            let is_opaque = j > i && above.alpha > 0.5 && !matches!(above.shape, Shape::Stroke(..));
-            is_opaque && above.covers(low).0 && above.covers(high).0
-        };
-        let is_there = self.letters.contains(&i) || self.stack.contains(&i);
-        self.is_tired() || is_there && contrast(over, below) >= FAINT && !self.stack.iter().any(covers)
     }
 
     /// The circle of another vertex that covers a point, if there is one.

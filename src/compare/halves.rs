@@ -4,19 +4,21 @@
 //! ```text
 //!   v0 ●───────────────● v1        its line on the left of its edge, between its two vertices;
 //!         ──────────▸              its barb at the end to which it runs, pointing there: the tip at the end of its
-//!                                  own line, the barb behind it on the outer side
+//!                                  own line, the barb behind it, on both sides or on the outer one
 //! ```
 //!
-//! No line is much further from its edge than those of the others, unless its barb is as large.
+//! No line is much further from its edge than those of the others, unless its barb is as large, and none is much shorter
+//! than the same half-edge in the reference, if that draws it: three quarters of that are enough, and so is to end as near
+//! to the vertices, measured by how far lines lie from their edges.
 //!
 //! What the reference's own drawing does not show nobody has to show: the same half-edge, by its place, whatever its
 //! number.
 
 use super::beside::Beside;
-use super::drawing::Drawing;
+use super::drawing::{Drawing, Half};
 use super::eye::Eye;
 use super::links::Links;
-use super::painting::{Area, Coat, Part, Shape};
+use super::painting::{Area, Part, Shape};
 use super::pairing::{distance, sides, span};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
@@ -25,6 +27,7 @@ use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::topology::{Table, View};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// How far a line may lie from its edge, and its ends from each other across the edge, as parts of the edge.
 const ASIDE: f64 = 0.25;
@@ -41,6 +44,12 @@ const SLIM: f64 = 0.35;
 /// A line is too far from its edge if that is further than this many times the size of its barb, and than this many
 /// times the usual distance in the drawing.
 const FAR: [f64; 2] = [1.6, 1.5];
+/// A line is too short if it covers less than this part of what the reference's covers of its edge, and leaves out more
+/// than this many times as much at its ends.
+const SHORT: f64 = 0.75;
+const LEFT_OUT: f64 = 1.5;
+/// A barb lies on the side of its edge if it reaches so many times as far to that side of its line as to the other.
+const INSIDE: f64 = 1.5;
 
 /// What is wrong with a half-edge as it is drawn.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -48,12 +57,24 @@ enum Wrong {
     Hidden,
     Missing,
     Elsewhere,
+    Bent,
+    Short,
     NoBarb,
     Backwards,
+    Inside,
 }
 
 impl Wrong {
-    const ALL: [Self; 5] = [Self::Hidden, Self::Missing, Self::Elsewhere, Self::NoBarb, Self::Backwards];
+    const ALL: [Self; 8] = [
+        Self::Hidden,
+        Self::Missing,
+        Self::Elsewhere,
+        Self::Bent,
+        Self::Short,
+        Self::NoBarb,
+        Self::Backwards,
+        Self::Inside,
+    ];
 
     /// What is said of one half-edge, and of several.
     fn words(self) -> [&'static str; 2] {
@@ -63,6 +84,18 @@ impl Wrong {
             Self::Elsewhere => [
                 "half-edge is not drawn on the left of its edge, from vertex to vertex",
                 "half-edges are not drawn on the left of their edges, from vertex to vertex",
+            ],
+            Self::Bent => [
+                "half-edge is drawn as a curve, which is not read: draw a straight line",
+                "half-edges are drawn as curves, which are not read: draw straight lines",
+            ],
+            Self::Short => [
+                "half-edge is drawn much too short: it runs from vertex to vertex",
+                "half-edges are drawn much too short: they run from vertex to vertex",
+            ],
+            Self::Inside => [
+                "half-edge has its barb on the side of its edge, not on that of its face",
+                "half-edges have their barbs on the sides of their edges, not on those of their faces",
             ],
             Self::NoBarb => ["half-edge has no barb that can be seen", "half-edges have no barbs that can be seen"],
             Self::Backwards => [
@@ -107,15 +140,34 @@ impl Along {
         0.5 * (a + b) * self.length
     }
 
+    /// Where the end of a line lies.
+    fn front(&self, line: Stroke) -> [f64; 2] {
+        let [start, end] = line.ends.map(|p| self.place(p));
+        if end[0] > start[0] { end } else { start }
+    }
+
+    /// Whether a barb belongs to a line, and does not lie on its right.
+    fn has_barb(&self, line: Stroke, corners: &[Point]) -> bool {
+        let places: Vec<[f64; 2]> = corners.iter().map(|&p| self.place(p)).collect();
+        let across = self.front(line)[1];
+        let far = |sign: f64| places.iter().map(|p| sign * (p[1] - across)).fold(f64::NEG_INFINITY, f64::max);
+        far(-1.0) <= INSIDE * far(1.0) && self.has_barb_at(line, &places)
+    }
+
+    /// Whether a barb would belong to a line if it lay on the other side of it.
+    fn has_turned_barb(&self, line: Stroke, corners: &[Point]) -> bool {
+        let across = self.front(line)[1];
+        let places = corners.iter().map(|&p| self.place(p)).map(|[t, a]| [t, 2.0 * across - a]);
+        self.has_barb_at(line, &places.collect::<Vec<_>>())
+    }
+
     /// Whether a barb belongs to a line: its foremost corner is its tip and lies at the end of the line, and the corner
     /// farthest to the left lies behind that and beyond the line.
-    fn has_barb(&self, line: Stroke, corners: &[Point]) -> bool {
-        let [start, end] = line.ends.map(|p| self.place(p));
-        let front = if end[0] > start[0] { end } else { start };
-        let places: Vec<[f64; 2]> = corners.iter().map(|&p| self.place(p)).collect();
+    fn has_barb_at(&self, line: Stroke, places: &[[f64; 2]]) -> bool {
+        let front = self.front(line);
         let most = |i: usize| places.iter().max_by(|p, q| p[i].total_cmp(&q[i]));
         let (Some(tip), Some(outer)) = (most(0), most(1)) else { return false };
-        let [long, wide] = sides(&places);
+        let [long, wide] = sides(places);
         let size = long.max(wide);
         let [ahead, across] = [0, 1].map(|i| tip[i] - front[i]);
         let is_at_end = ahead >= -TIP[0] * size && ahead <= TIP[1] * size && across.abs() <= TIP[2] * size;
@@ -155,6 +207,58 @@ fn strayed(mut gaps: Vec<Gap>) -> impl Iterator<Item = HalfEdgeId> {
     gaps.into_iter().filter(is_far).map(|gap| gap.half_edge)
 }
 
+/// A half-edge on the canvas: where its edge lies, and its lines.
+struct Traced<'a> {
+    half: &'a Half,
+    id: HalfEdgeId,
+    along: Option<Along>,
+    lines: Vec<Stroke>,
+    /// Those of its lines that run beside its edge.
+    beside: Vec<Stroke>,
+    /// Whether it has curves.
+    bends: bool,
+}
+
+impl Traced<'_> {
+    /// Whether none of its lines lies where it should.
+    fn is_stray(&self) -> bool {
+        self.along.is_some() && !self.lines.is_empty() && self.beside.is_empty()
+    }
+
+    /// How much of the edge its line runs along.
+    fn reach(&self) -> Option<Reach> {
+        let along = self.along.as_ref()?;
+        let part = |line: &Stroke| {
+            let [a, b] = line.ends.map(|p| along.place(p)[0]);
+            (a - b).abs()
+        };
+        let line = self.beside.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;
+        let part = part(line);
+        Some(Reach { part, left_out: (1.0 - part) * along.length / along.distance(line.ends) })
+    }
+}
+
+/// The half-edges of a drawing.
+fn traced<'a>(drawing: &'a Drawing, table: &Table) -> Vec<Traced<'a>> {
+    let places: BTreeMap<&str, Point> =
+        drawing.dots.iter().filter_map(|dot| Some((dot.vertex.as_ref()?.0.as_str(), dot.at))).collect();
+    let trace = |half: &'a Half| {
+        let id = half.name.parse::<HalfEdgeId>().ok()?;
+        let place = |v: Option<VertexId>| places.get(v?.to_string().as_str()).copied();
+        let along = place(table.origin(id)).zip(place(destination(table, id))).and_then(|(p, q)| Along::new(p, q));
+        let is_bent = |i: u32| drawing.bends.binary_search(&i).is_ok();
+        let stroke = |i: u32| match drawing.painting.coats[i as usize].shape {
+            Shape::Stroke(ends, half) => Some(Stroke { ends, half }),
+            _ => None,
+        };
+        let lines: Vec<Stroke> = half.coats.clone().filter(|&i| !is_bent(i)).filter_map(stroke).collect();
+        let is_beside = |line: &Stroke| along.as_ref().is_some_and(|along| along.has_beside(line.ends));
+        let beside = lines.iter().copied().filter(is_beside).collect();
+        Some(Traced { half, id, along, lines, beside, bends: half.coats.clone().any(is_bent) })
+    };
+    drawing.halves.iter().filter_map(trace).collect()
+}
+
 /// The half-edges of a drawing that are not seen as they are declared.
 fn wrong(drawing: &Drawing, table: &Table) -> Vec<(HalfEdgeId, Wrong)> {
     if drawing.halves.is_empty() {
@@ -162,50 +266,72 @@ fn wrong(drawing: &Drawing, table: &Table) -> Vec<(HalfEdgeId, Wrong)> {
     }
     let span = span(&drawing.points().collect::<Vec<Point>>());
     let mut eye = Eye::new(&drawing.painting, &Beside::default(), drawing.lines.len(), span);
-    let places: BTreeMap<&str, Point> =
-        drawing.dots.iter().filter_map(|dot| Some((dot.vertex.as_ref()?.0.as_str(), dot.at))).collect();
+    let traced = traced(drawing, table);
+    let mut strays: Vec<Range<u32>> =
+        traced.iter().filter(|traced| traced.is_stray()).map(|traced| traced.half.coats.clone()).collect();
+    strays.sort_unstable_by_key(|range| range.start);
     let mut out = Vec::new();
     let mut gaps = Vec::new();
-    for half in &drawing.halves {
-        let Ok(h) = half.name.parse::<HalfEdgeId>() else { continue };
-        let place = |v: Option<VertexId>| places.get(v?.to_string().as_str()).copied();
-        let along = place(table.origin(h)).zip(place(destination(table, h))).and_then(|(p, q)| Along::new(p, q));
-        let coats = half.coats.clone().map(|i| (i, &drawing.painting.coats[i as usize]));
-        let stroke = |(_, coat): (u32, &Coat)| match coat.shape {
-            Shape::Stroke(ends, half) => Some(Stroke { ends, half }),
-            _ => None,
-        };
-        let lines: Vec<Stroke> = coats.clone().filter_map(stroke).collect();
-        let barbs: Vec<(u32, &Area)> = coats
-            .filter(|(_, coat)| !matches!(coat.part, Part::Mark(_)))
-            .filter_map(|(i, coat)| if let Shape::Area(area) = &coat.shape { Some((i, area)) } else { None })
-            .collect();
-        if !eye.any_line(half.coats.clone(), !half.lacks) {
+    for traced in &traced {
+        let (h, half) = (traced.id, traced.half);
+        // What lies on the line of another half-edge cannot be told from it: where it lies is what is wrong.
+        if !(traced.is_stray() || eye.any_line(half.coats.clone(), !half.lacks, &strays)) {
             out.push((h, Wrong::Hidden));
             continue;
         }
         // Where its ends are not drawn, or at one place, nothing says where it should be.
-        let Some(along) = along else { continue };
-        if lines.is_empty() {
-            out.push((h, Wrong::Missing));
-            continue;
-        }
-        let beside: Vec<Stroke> = lines.into_iter().filter(|line| along.has_beside(line.ends)).collect();
+        let Some(along) = &traced.along else { continue };
+        let barbs: Vec<(u32, &Area)> = half
+            .coats
+            .clone()
+            .map(|i| (i, &drawing.painting.coats[i as usize]))
+            .filter(|(_, coat)| !matches!(coat.part, Part::Mark(_)))
+            .filter_map(|(i, coat)| if let Shape::Area(area) = &coat.shape { Some((i, area)) } else { None })
+            .collect();
+        let beside = &traced.beside;
         let corners_of = |area: &Area| area.points().collect::<Vec<Point>>();
         let fits = |area: &Area| beside.iter().any(|&line| along.has_barb(line, &corners_of(area)));
-        if beside.is_empty() {
+        let is_turned = |area: &Area| beside.iter().any(|&line| along.has_turned_barb(line, &corners_of(area)));
+        if beside.is_empty() && traced.bends {
+            out.push((h, Wrong::Bent));
+        } else if traced.lines.is_empty() {
+            out.push((h, Wrong::Missing));
+        } else if beside.is_empty() {
             out.push((h, Wrong::Elsewhere));
         } else if !barbs.iter().any(|&(i, area)| eye.shows(i, &corners(area))) {
             out.push((h, Wrong::NoBarb));
         } else if let Some((_, area)) = barbs.iter().find(|(_, area)| fits(area)) {
             let distance = beside.iter().map(|line| along.distance(line.ends)).fold(f64::INFINITY, f64::min);
             gaps.push(Gap { half_edge: h, distance, barb: along.size(&corners_of(area)) });
+        } else if barbs.iter().any(|(_, area)| is_turned(area)) {
+            out.push((h, Wrong::Inside));
         } else {
             out.push((h, Wrong::Backwards));
         }
     }
     out.extend(strayed(gaps).map(|h| (h, Wrong::Elsewhere)));
     out
+}
+
+/// How far the line of a half-edge reaches: the part of the edge along which it runs, and what it leaves out at both
+/// ends, in distances of the line from the edge.
+#[derive(Clone, Copy)]
+struct Reach {
+    part: f64,
+    left_out: f64,
+}
+
+impl Reach {
+    /// Whether it is clearly shorter than another one, which may be drawn in another size.
+    fn is_short_of(self, other: Self) -> bool {
+        self.part < SHORT * other.part && self.left_out > LEFT_OUT * other.left_out
+    }
+}
+
+/// How far the half-edges of a drawing reach.
+fn reaches(drawing: &Drawing, table: Option<&Table>) -> BTreeMap<HalfEdgeId, Reach> {
+    let traced = table.map_or_else(Vec::new, |table| traced(drawing, table));
+    traced.iter().filter_map(|traced| Some((traced.id, traced.reach()?))).collect()
 }
 
 /// Points near the corners of an area, inside of it.
@@ -224,13 +350,23 @@ pub(super) fn compare(
 ) -> Vec<Difference> {
     let faults = |drawing, table: Option<&Table>| table.map_or_else(Vec::new, |table| wrong(drawing, table));
     let mut found = faults(student, tables[1]);
-    if found.is_empty() {
+    let [usual, reached] =
+        [(reference, tables[0]), (student, tables[1])].map(|(drawing, table)| reaches(drawing, table));
+    if found.is_empty() && (usual.is_empty() || reached.is_empty()) {
         return Vec::new();
     }
-    let excused: BTreeSet<(HalfEdgeId, Wrong)> = faults(reference, tables[0]).into_iter().collect();
-    if let Some([expected, theirs]) = placed.filter(|_| !excused.is_empty()) {
+    if let Some([expected, theirs]) = placed {
         let links = Links::new(expected, theirs, &expected.matched(theirs));
-        found.retain(|&(g, wrong)| links.expected(g).is_none_or(|h| !excused.contains(&(h, wrong))));
+        let told: BTreeSet<HalfEdgeId> = found.iter().map(|(g, _)| *g).collect();
+        if !told.is_empty() {
+            let excused: BTreeSet<(HalfEdgeId, Wrong)> = faults(reference, tables[0]).into_iter().collect();
+            found.retain(|&(g, wrong)| links.expected(g).is_none_or(|h| !excused.contains(&(h, wrong))));
+        }
+        let is_short = |g: HalfEdgeId, reach: Reach| {
+            let usual = links.expected(g).and_then(|h| usual.get(&h));
+            usual.is_some_and(|usual| reach.is_short_of(*usual)) && !told.contains(&g)
+        };
+        found.extend(reached.iter().filter(|(g, reach)| is_short(**g, **reach)).map(|(g, _)| (*g, Wrong::Short)));
     }
     let told = |wrong: Wrong| {
         let names: Vec<String> =

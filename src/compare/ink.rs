@@ -115,6 +115,8 @@ pub(super) struct Ink {
     stroke: Paint,
     stroke_opacity: f64,
     width: f64,
+    /// The width of the rims of letters, if it is said in parts of their size.
+    rim: Option<f64>,
     /// Whether a line of no length is a dot.
     pub(super) round: bool,
     dashes: Rc<[f64]>,
@@ -145,6 +147,7 @@ impl Default for Ink {
             stroke: Paint::None,
             stroke_opacity: 1.0,
             width: 1.0,
+            rim: None,
             round: false,
             dashes: Rc::new([]),
             dash_start: 0.0,
@@ -188,6 +191,8 @@ pub(super) struct Own {
     /// The point about which it is turned, as it is written.
     pub(super) origin: Option<String>,
     hidden: bool,
+    /// The width of lines as a part of the size of its letters, if it is said so.
+    ems: Option<f64>,
 }
 
 impl Ink {
@@ -219,6 +224,7 @@ impl Ink {
         for (key, value) in said {
             out.set(key.strip_prefix("-webkit-").unwrap_or(&key), &value, self, &mut own);
         }
+        out.rim = own.ems.map(|ems| ems * out.letters.size).or(out.rim);
         out.veiled |= !own.veils.is_empty();
         (!own.hidden).then_some((out, own))
     }
@@ -248,7 +254,12 @@ impl Ink {
             "fill-rule" => self.even_odd = value == "evenodd",
             "stroke" if inherits => (self.stroke, self.flat[1]) = (around.stroke, around.flat[1]),
             "stroke" => Served { paint: self.stroke, flat: self.flat[1], .. } = self.servers.paint(value),
-            "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
+            "stroke-width" => {
+                self.width = numbers::measure(value).unwrap_or(around.width);
+                self.rim = around.rim.filter(|_| inherits);
+                let ems = value.strip_suffix("em").filter(|number| !number.ends_with('r'));
+                own.ems = ems.and_then(numbers::length);
+            }
             "stroke-linecap" if inherits => self.round = around.round,
             "stroke-linecap" => self.round = matches!(value, "round" | "square"),
             "stroke-dasharray" if inherits => self.dashes = Rc::clone(&around.dashes),
@@ -314,6 +325,11 @@ impl Ink {
     /// The width of lines before any transform.
     pub(super) fn width(&self) -> f64 {
         self.width.max(0.0)
+    }
+
+    /// The width of the rims of letters before any transform.
+    pub(super) fn rim_width(&self) -> f64 {
+        self.rim.map_or(self.width(), |rim| rim.max(0.0))
     }
 
     /// Why a line of this style cannot be seen, wherever it lies.

@@ -26,6 +26,7 @@
 //!   ink.rs         What can be seen
 //!   labels.rs      Letters as outlines, and boxes round letters
 //!   legends.rs     Legends within the box of a drawing
+//!   legible.rs     Whether letters can be read
 //!   letters.rs     How large letters are
 //!   markers.rs     Which markers a line carries
 //!   names.rs       Names drawn beside what they name
@@ -38,7 +39,10 @@
 //!   served.rs      What url(#...) paints
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   standing.rs    Where names stand
 //!   strangers.rs   Faces without a partner, counted
+//!   strokes.rs     Whether lines of half-edges are seen
+//!   surplus.rs     Names too many
 //!   tags.rs        Elements as rules see them
 //!   tiles.rs       How much of its tile a pattern paints
 //!   transform.rs   Transforms
@@ -81,8 +85,9 @@
 //! kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets (but not `--plain` ones, which
 //! say no more what they are) and other decoration are passed over, too, but the half-edges that are declared there
 //! have to be seen: each line on the left of its edge, about as far as others, with a barb behind its tip at the end
-//! of that line. y points down in SVG: write `height - y`. A face that a reference drawn by another program lists
-//! clockwise may run either way.
+//! of that line, on the side of its face or on both sides, and not much shorter than the reference draws it: three
+//! quarters of that, or as near to the vertices. y points down in SVG: write `height - y`. A face that a reference
+//! drawn by another program lists clockwise may run either way.
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
 //! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of
@@ -104,6 +109,14 @@
 //! 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px
 //! if it has no size. Of lines over each other it is enough that one shows: they may be cased or double. What the
 //! reference's own drawing hides nobody has to show. Colours themselves are not compared.
+//!
+//! With [`Options::names`], a name is seen if its letters have another colour than what lies below them and than their
+//! own halo (a rim of a fifth of their size or more), no area covers them, and they are at least 4 px high on that
+//! same drawing: the smallest ones of the kit are 7.2 px, 4.5 px where a figure of 640 px is shown 400 px wide, and
+//! below 4 px digits cannot be told apart. A text that is as a whole the name of something else in the structure, or a
+//! name that is drawn already, is a name too many if it stands in the group of something that is declared, or within
+//! the structure or no more than four heights of letters beside it; not in tables, insets, legends, titles, captions
+//! and notes (by `class` or `id`), and not where it is a copy of the name below it.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
 //! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]).
@@ -141,6 +154,7 @@ mod halves;
 mod ink;
 mod labels;
 mod legends;
+mod legible;
 mod letters;
 mod links;
 mod markers;
@@ -159,7 +173,10 @@ mod servers;
 mod shape;
 mod sketch;
 mod snap;
+mod standing;
 mod strangers;
+mod strokes;
+mod surplus;
 mod tables;
 mod tags;
 mod tiles;
@@ -205,8 +222,8 @@ impl Options {
     }
 
     /// Whether the numbers of vertices, half-edges and faces, and the names of faces, must be the same, too, and the
-    /// names that the reference draws must be drawn where they belong. Default: no. Needs files that declare their
-    /// structure; others are refused.
+    /// names that the reference draws must be drawn where they belong, so that they can be read, and nowhere else.
+    /// Default: no. Needs files that declare their structure; others are refused.
     #[must_use]
     pub fn names(self, names: bool) -> Self {
         Self { names, ..self }

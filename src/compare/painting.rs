@@ -8,6 +8,7 @@
 use super::colour::Paint;
 use crate::geometry::point::corners;
 use crate::plane::Point;
+use std::collections::BTreeMap;
 
 /// What a coat is for a comparison.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -257,6 +258,29 @@ impl Coat {
     }
 }
 
+/// How letters are painted.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Lettering {
+    /// Their size in px, as the drawing is shown.
+    pub(super) size: f64,
+    /// The colour of the letters themselves, and how much it covers.
+    pub(super) fill: Shade,
+    pub(super) rim: Option<Rim>,
+}
+
+/// A colour, and how much it covers.
+pub(super) type Shade = ([f64; 3], f64);
+
+/// The rim of letters.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Rim {
+    pub(super) shade: Shade,
+    /// Its width as a part of the size of the letters.
+    pub(super) width: f64,
+    /// Whether it lies below them: a halo.
+    pub(super) is_below: bool,
+}
+
 /// A region outside of which nothing is shown: all of these shapes together, within another one.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Clip {
@@ -271,17 +295,15 @@ pub(super) struct Clip {
 pub(super) struct Painting {
     pub(super) coats: Vec<Coat>,
     pub(super) clips: Vec<Clip>,
+    /// How letters are painted, by their coats.
+    pub(super) lettering: BTreeMap<u32, Lettering>,
 }
 
 impl Painting {
-    /// Adds a coat and returns its number. A paint that is not known is one that differs from all others.
-    pub(super) fn add(&mut self, shape: Shape, (paint, opacity): (Paint, f64), clip: Option<u32>, part: Part) -> u32 {
-        let (colour, alpha) = match paint {
-            Paint::Colour(rgb, alpha) => (rgb.map(f64::from), alpha),
-            Paint::None => ([0.0; 3], 0.0),
-            Paint::Pattern | Paint::Current | Paint::Some => ([203.0, 3.0, 151.0], 1.0),
-        };
-        self.coats.push(Coat { shape, colour, alpha: alpha * opacity, clip, part });
+    /// Adds a coat and returns its number.
+    pub(super) fn add(&mut self, shape: Shape, paint: (Paint, f64), clip: Option<u32>, part: Part) -> u32 {
+        let (colour, alpha) = shade(paint);
+        self.coats.push(Coat { shape, colour, alpha, clip, part });
         self.coats.len() as u32 - 1
     }
 
@@ -302,6 +324,16 @@ impl Painting {
         }
         None
     }
+}
+
+/// The colour of a paint, and how much it covers. A paint that is not known is one that differs from all others.
+pub(super) fn shade((paint, opacity): (Paint, f64)) -> Shade {
+    let (colour, alpha) = match paint {
+        Paint::Colour(rgb, alpha) => (rgb.map(f64::from), alpha),
+        Paint::None => ([0.0; 3], 0.0),
+        Paint::Pattern | Paint::Current | Paint::Some => ([203.0, 3.0, 151.0], 1.0),
+    };
+    (colour, alpha * opacity)
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 /// and shifted, but not mirrored, turned or stretched, and all of it must be seen. If both files declare their
 /// structure in data-* attributes, as the kit's figures do, every pointer is compared, too, and the drawing must
 /// show what is declared. Names count with --names only: drawings have to declare them then, and show those that
-/// the reference shows where they belong.
+/// the reference shows where they belong, so that they can be read, and nowhere else.
 ///
 /// Two structures, of any format: vertices, edges, faces and all pointers are compared at their places; ids may be
 /// others.

@@ -14,7 +14,7 @@ use crate::compare::error::{Fault, Problem};
 use crate::compare::markers::Stand;
 use crate::compare::markup::is_svg;
 use crate::compare::numbers;
-use crate::compare::painting::{Area, Mark, Part, Shape};
+use crate::compare::painting::{Area, Lettering, Mark, Part, Rim, Shape, shade};
 use crate::compare::path::Subpath;
 use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
@@ -226,9 +226,28 @@ impl<'a, 'i> Reader<'a, 'i> {
             ink.stroke()
         };
         self.count(1, offset)?;
-        self.out.painting.add(Shape::Area(Area::new(&[ring], false)), paint, around.clip, Part::Mark(Mark::Letters));
+        let area = Shape::Area(Area::new(&[ring], false));
+        let coat = self.out.painting.add(area, paint, around.clip, Part::Mark(Mark::Letters));
+        if !around.coloured {
+            let rim = has_rim.then(|| Rim {
+                shade: shade(ink.stroke()),
+                width: ink.rim_width() / size.max(f64::MIN_POSITIVE),
+                is_below: ink.rim_below,
+            });
+            let fill = if ink.fills() { shade(ink.fill()) } else { ([0.0; 3], 0.0) };
+            let lettering = Lettering { size: size * self.unit * height(&around.transform), fill, rim };
+            self.out.painting.lettering.insert(coat, lettering);
+        }
         Ok(())
     }
+}
+
+/// How high a square of height 1 is after a transform that may stretch or slant it.
+fn height(transform: &Transform) -> f64 {
+    let [[a, b], [c, d]] = [[1.0, 0.0], [0.0, 1.0]].map(|side| transform.turn(side));
+    let long = a.hypot(b);
+    let upright = if long > 0.0 { (a * d - b * c).abs() / long } else { 0.0 };
+    long.min(upright)
 }
 
 /// A corner of a path, with the angles at which the path comes and goes.

@@ -70,6 +70,9 @@ const GROUND: f64 = 1e5;
 /// Words in ids and classes of what stands beside a drawing.
 const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"];
 
+/// Classes and ids of what holds texts that name nothing.
+const NOTES: [&str; 7] = ["table", "inset", "rows", "title", "caption", "note", "notes"];
+
 /// What is no part of the structure in the kit's own figures: how its ids end, and its classes. Labels outside of their
 /// faces have lines and dots of their own; tables have rules; an inset shows a part of the structure again, and leaders
 /// lead to it.
@@ -135,14 +138,16 @@ pub(in crate::compare) struct Half {
     pub(in crate::compare) lacks: bool,
 }
 
-/// A text in the group of what it names.
+/// A text that may be a name.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(in crate::compare) struct Name {
-    /// The vertex, half-edge or face that the group declares.
+    /// The vertex, half-edge or face that the group round it declares, or nothing.
     pub(in crate::compare) element: String,
     pub(in crate::compare) text: String,
     /// What it paints, if anything.
-    pub(in crate::compare) coat: Option<u32>,
+    pub(in crate::compare) coats: Range<u32>,
+    /// Whether it stands in a table, a legend, a note or the like.
+    pub(in crate::compare) noted: bool,
 }
 
 /// All that is drawn.
@@ -153,6 +158,8 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) outlines: Vec<Outline>,
     /// The half-edges that a figure of the kit draws beside its edges.
     pub(in crate::compare) halves: Vec<Half>,
+    /// What curves of decoration paint.
+    pub(in crate::compare) bends: Vec<u32>,
     pub(in crate::compare) names: Vec<Name>,
     pub(in crate::compare) painting: Painting,
     /// Coats that are paper: what lies behind it all by the style of the root, and what lies behind axes.
@@ -284,6 +291,8 @@ pub(in crate::compare) struct Around {
     pub(in crate::compare) axes: Option<axes::Axes>,
     /// The number of the legend around, from 1.
     pub(in crate::compare) legend: u32,
+    /// Whether texts here name nothing: they stand in a table, a legend, a note or the like.
+    pub(in crate::compare) noted: bool,
     /// Whether it is decoration of the kit, which can only hide.
     pub(in crate::compare) decorates: bool,
     /// Where on the canvas the marker stands in which it is.
@@ -372,7 +381,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let inside = self.inside(node, outer)?;
         self.blank += usize::from(inside.is_none() && outer.decorates && name != "text");
         let is_displayed = inside.is_some();
-        let element = node.parent().filter(|_| name == "text").and_then(declared::name);
+        let noted = (name == "text").then(|| inside.as_ref().is_some_and(|around| around.noted));
         if let Some(around) = inside {
             match name {
                 "svg" | "g" | "a" => {
@@ -396,10 +405,9 @@ impl<'a, 'i> Reader<'a, 'i> {
                 }
             }
         }
-        if let Some(element) = element {
-            let text = node.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect::<String>();
-            let coat = (before.1 < self.out.painting.coats.len() as u32).then_some(before.1);
-            self.out.names.push(Name { element: element.to_owned(), text: text.trim().to_owned(), coat });
+        if let Some(noted) = noted {
+            let coats = before.1..self.out.painting.coats.len() as u32;
+            self.name(node, coats, noted);
         }
         if self.kit && declared::is_half_edge(node) {
             let name = node.attribute("id").and_then(|id| id.rsplit('-').next()).unwrap_or("").to_owned();
@@ -410,6 +418,16 @@ impl<'a, 'i> Reader<'a, 'i> {
             self.path.pop();
         }
         Ok(())
+    }
+
+    /// A text that may be the name of something.
+    fn name(&mut self, node: Node<'a, 'i>, coats: Range<u32>, noted: bool) {
+        let element = node.parent().and_then(declared::name).unwrap_or("").to_owned();
+        if element.is_empty() && (noted || coats.is_empty()) {
+            return;
+        }
+        let text = node.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect::<String>();
+        self.out.names.push(Name { element, text: text.trim().to_owned(), coats, noted });
     }
 
     /// Counts an element, up to the cap.
@@ -482,6 +500,10 @@ impl<'a, 'i> Reader<'a, 'i> {
         let decorates =
             DECORATION[0].iter().any(|end| id.ends_with(end)) || classes().any(|class| DECORATION[1].contains(&class));
         out.decorates |= self.kit && (decorates || declared::is_half_edge(node));
+        let notes = |word: &str| NOTES.contains(&word) || self.kit && DECORATION[1].contains(&word) && word != "he";
+        let is_label = self.kit && DECORATION[0].iter().any(|end| id.ends_with(end));
+        let is_root = node == self.document.root_element();
+        out.noted |= out.aside || out.legend > 0 || is_label || !is_root && (classes().any(notes) || notes(id));
         Ok(Some(out))
     }
 

@@ -187,7 +187,10 @@ impl<'a, 'i> Reader<'a, 'i> {
             let why = hidden.or_else(|| dashed.then_some(Hidden::Dashes));
             if from != to && why.is_none() {
                 let part = around.part(if curved { Part::Other } else { Part::Line });
-                self.out.painting.add(Shape::Stroke([from, to], half), stroke, around.clip, part);
+                let coat = self.out.painting.add(Shape::Stroke([from, to], half), stroke, around.clip, part);
+                if curved && around.decorates {
+                    self.out.bends.push(coat);
+                }
             }
             if from != to && !around.decorates {
                 curves |= curved && hidden.is_none();

@@ -8,7 +8,7 @@ use dcel_kit::figure::{self, Detail, FigureOptions, structure};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 
-fn reference() -> String {
+pub(super) fn reference() -> String {
     kit(&table(&ship()))
 }
 
@@ -18,23 +18,23 @@ fn group(lines: &[String], name: &str) -> usize {
 }
 
 /// The line within a group that starts so.
-fn within(lines: &[String], name: &str, start: &str) -> usize {
+pub(super) fn within(lines: &[String], name: &str, start: &str) -> usize {
     let at = group(lines, name);
     at + lines[at..].iter().position(|line| line.starts_with(start)).unwrap()
 }
 
-fn changed(change: impl FnOnce(&mut Vec<String>)) -> String {
+pub(super) fn changed(change: impl FnOnce(&mut Vec<String>)) -> String {
     let mut lines: Vec<String> = reference().lines().map(str::to_owned).collect();
     change(&mut lines);
     lines.join("\n")
 }
 
-const LINE: &str = "<line class=\"sh\"";
-const BARB: &str = "<path class=\"barb\"";
-const NAME: &str = "<text class=\"hl\"";
+pub(super) const LINE: &str = "<line class=\"sh\"";
+pub(super) const BARB: &str = "<path class=\"barb\"";
+pub(super) const NAME: &str = "<text class=\"hl\"";
 
 #[track_caller]
-fn says(svg: &str, said: &str) {
+pub(super) fn says(svg: &str, said: &str) {
     // The same against what declares, and against what only draws.
     for reference in [reference(), Pen::new(&ship()).svg()] {
         let answer = judge(&reference, svg);
@@ -76,7 +76,7 @@ fn barbs_point_to_the_ends_of_their_half_edges() {
 }
 
 /// Moves what a line of a figure draws.
-fn moved(lines: &mut [String], name: &str, start: &str, transform: &str) {
+pub(super) fn moved(lines: &mut [String], name: &str, start: &str, transform: &str) {
     let at = within(lines, name, start);
     lines[at] = lines[at].replacen(" class", &format!(" transform=\"{transform}\" class"), 1);
 }
@@ -136,7 +136,7 @@ fn lines_are_as_far_from_their_edges_as_others_are() {
 }
 
 /// The direction of the line of a half-edge on the canvas: how far down it runs, and how far to the right.
-fn direction(svg: &str, name: &str) -> [f64; 2] {
+pub(super) fn direction(svg: &str, name: &str) -> [f64; 2] {
     let lines: Vec<String> = svg.lines().map(str::to_owned).collect();
     let line = &lines[within(&lines, name, LINE)];
     let [x, u, y, v] = [" x1=\"", " x2=\"", " y1=\"", " y2=\""].map(|key| {
@@ -172,7 +172,7 @@ fn the_figures_of_the_kit_show_what_they_declare() {
     assert!(seen > 5, "{seen}");
 }
 
-fn named(svg: &str) -> String {
+pub(super) fn named(svg: &str) -> String {
     compare(&reference(), svg, &Options::new().names(true)).unwrap().text()
 }
 

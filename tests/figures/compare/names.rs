@@ -1,0 +1,183 @@
+//! Names that nobody can read are told, and so are names too many.
+
+use super::declared::{changed, named, reference, within};
+use super::ship;
+use dcel_kit::compare::{Options, compare};
+use dcel_kit::figure::{Detail, FigureOptions, Theme, structure};
+
+/// The reference with this style on the name of an element.
+fn styled(element: &str, style: &str) -> String {
+    changed(|lines| {
+        let at = within(lines, element, "<text");
+        lines[at] = lines[at].replacen("<text", &format!("<text style=\"{style}\""), 1);
+    })
+}
+
+#[track_caller]
+fn reads(svg: &str) {
+    assert!(named(svg).starts_with("equal"), "{}", named(svg));
+}
+
+#[track_caller]
+fn says(svg: &str, said: &str) {
+    assert!(named(svg).contains(said), "`{said}` not said: {}", named(svg));
+}
+
+#[test]
+fn letters_of_the_colour_of_their_halo_cannot_be_read() {
+    for element in ["v1", "h0", "f1"] {
+        let said = format!("the name of {element} cannot be seen");
+        for style in ["fill:#fff", "fill:white;stroke-width:4px", "fill:#fdfdfd;paint-order:normal;stroke-width:.3em"] {
+            says(&styled(element, style), &said);
+        }
+    }
+    // A dark blot on the paper says no more than a white one.
+    for style in ["stroke:#6b5300", "fill:#123456;stroke:#123456;stroke-width:1em", "stroke-width:4px;stroke:#6b5300"] {
+        says(&styled("f1", style), "the name of f1 cannot be seen");
+    }
+    // A thin rim makes letters bold; light letters are read on a dark halo, and dark letters without any.
+    for style in [
+        "stroke:#6b5300;stroke-width:.08em",
+        "stroke:#6b5300;stroke-width:1px",
+        "fill:#fff;stroke:#000",
+        "stroke:none",
+        "fill:#fff;stroke:#000;paint-order:normal;stroke-width:.05em",
+        "stroke-width:0",
+        "stroke:none;fill:#036",
+    ] {
+        reads(&styled("f1", style));
+    }
+}
+
+#[test]
+fn letters_smaller_than_4_px_cannot_be_read() {
+    for element in ["v1", "h0", "f1"] {
+        let said = format!("the name of {element} cannot be seen");
+        for size in ["0", ".1px", "1px", "3px", "2pt"] {
+            says(&styled(element, &format!("font-size:{size}")), &said);
+        }
+        for size in ["5px", "7.2px", "4pt"] {
+            reads(&styled(element, &format!("font-size:{size}")));
+        }
+    }
+    // However they become small, and in one direction only, too.
+    for [x, y] in [[0.1, 0.1], [1.0, 0.1], [0.1, 1.0]] {
+        let small = changed(|lines| {
+            let at = within(lines, "f1", "<text");
+            let [u, v] = place(&lines[at]);
+            let moved = format!("<text transform=\"translate({u} {v}) scale({x} {y}) translate(-{u} -{v})\"");
+            lines[at] = lines[at].replacen("<text", &moved, 1);
+        });
+        says(&small, "the name of f1 cannot be seen");
+    }
+    // A file without a size fills a window; a small one is looked at enlarged.
+    for size in ["", "width=\"60\" height=\"40\" "] {
+        let svg = reference();
+        let at = svg.find(" width=\"").unwrap() + 1;
+        let end = at + svg[at..].find('>').unwrap();
+        let root = &svg[at..end];
+        let tall = svg.find(" height=\"").unwrap() + 1;
+        let height = &svg[tall..tall + svg[tall..].find(' ').unwrap() + 1];
+        let width = &root[..root.find(' ').unwrap() + 1];
+        reads(&svg.replacen(width, size, 1).replacen(height, "", 1));
+    }
+}
+
+/// The place of a text.
+fn place(line: &str) -> [f64; 2] {
+    [" x=\"", " y=\""].map(|key| {
+        let rest = &line[line.find(key).unwrap() + key.len()..];
+        rest[..rest.find('"').unwrap()].parse().unwrap()
+    })
+}
+
+/// What the kit draws can be read, whatever it looks like.
+#[test]
+fn names_that_the_kit_draws_can_be_read() {
+    let options = |name: &str| FigureOptions::new(name).detail(Detail::Full);
+    let dark = dcel_kit::figure::Style::default().theme(Theme::Dark);
+    let plane = ship();
+    for options in [
+        options("ship"),
+        options("mine").width(1234.5),
+        options("mine").width(320.0),
+        options("mine").plain(true),
+        options("mine").style(dark.clone()),
+        options("mine").style(dark).plain(true),
+        options("mine").interactive(true),
+    ] {
+        let svg = structure(&plane, &options).unwrap().to_svg();
+        // What is not read in the reference is excused: so none of it may be missing without any excuse.
+        let shown = |svg: &str| compare(&reference(), svg, &Options::new().names(true)).unwrap();
+        let told = shown(&svg).text();
+        assert!(!told.contains("cannot be seen") && !told.contains("twice") && !told.contains("too"), "{told}");
+    }
+    // A halo that is a copy of the text below it is one, too.
+    let plain = structure(&plane, &options("ship").plain(true)).unwrap().to_svg();
+    let lines: Vec<&str> = plain.lines().collect();
+    let copies: Vec<usize> = (0..lines.len()).filter(|&i| lines[i].contains(">f1</text>")).collect();
+    assert_eq!(copies.len(), 2, "{plain}");
+    let mut blot: Vec<String> = lines.iter().map(|&line| line.to_owned()).collect();
+    let fill = |line: &str| {
+        let rest = &line[line.find("fill=\"").unwrap()..];
+        rest[..rest[6..].find('"').unwrap() + 7].to_owned()
+    };
+    blot[copies[1]] = blot[copies[1]].replacen(&fill(lines[copies[1]]), &fill(lines[copies[0]]), 1);
+    let answer = compare(&plain, &blot.join("\n"), &Options::new().names(true)).unwrap().text();
+    assert!(answer.contains("the name of f1 cannot be seen"), "{answer}");
+}
+
+/// The reference with another text behind the name of an element, so far from it.
+fn more(element: &str, text: &str, [x, y]: [f64; 2], attributes: &str) -> String {
+    changed(|lines| {
+        let at = within(lines, element, "<text");
+        let [u, v] = place(&lines[at]);
+        let class = &lines[at][lines[at].find("class=\"").unwrap()..][..10];
+        let more = format!("<text {class} {attributes} x=\"{}\" y=\"{}\">{text}</text>", u + x, v + y);
+        lines.insert(at + 1, more);
+    })
+}
+
+/// The reference with something behind everything.
+fn behind(nodes: &str) -> String {
+    reference().replacen("</svg>", &format!("{nodes}</svg>"), 1)
+}
+
+#[test]
+fn names_too_many_are_told() {
+    says(&more("f1", "f2", [0.0, 20.0], ""), "1 name is drawn at something else, too: f2 at f1");
+    says(&more("h0", "h7", [15.0, 0.0], ""), "1 name is drawn at something else, too: h7 at h0");
+    says(&more("v1", "h7", [15.0, 15.0], ""), "1 name is drawn at something else, too: h7 at v1");
+    says(&more("f1", "f1", [0.0, 25.0], ""), "1 name is drawn twice: f1");
+    let lines: Vec<String> = reference().lines().map(str::to_owned).collect();
+    let [x, y] = place(&lines[within(&lines, "f2", "<text")]);
+    let text = |name: &str| format!("<text x=\"{x}\" y=\"{}\">{name}</text>", y + 12.0);
+    says(&behind(&text("h0")), "1 name is drawn twice: h0");
+    says(&behind(&(text("h0") + &text("v3"))), "2 names are drawn twice: h0, v3");
+    let unnamed = changed(|lines| _ = lines.remove(within(lines, "h0", "<text")));
+    let loose = unnamed.replacen("</svg>", &format!("{}</svg>", text("h0")), 1);
+    says(&loose, "1 name stands where nothing of that name is drawn: h0");
+    // Whatever the reference draws too often may be drawn so.
+    let twice = behind(&text("h0"));
+    let again = twice.replacen("<desc", " <desc", 1);
+    assert!(compare(&twice, &again, &Options::new().names(true)).unwrap().is_equal());
+    assert!(!compare(&twice, &behind(&text("h2")), &Options::new().names(true)).unwrap().is_equal());
+}
+
+#[test]
+fn texts_that_name_nothing_are_no_names() {
+    reads(&more("h0", "h0", [0.0, 0.0], ""));
+    reads(&more("f1", "f2", [0.0, 20.0], "visibility=\"hidden\""));
+    reads(&more("f1", "f99", [0.0, 20.0], ""));
+    let lines: Vec<String> = reference().lines().map(str::to_owned).collect();
+    let [x, y] = place(&lines[within(&lines, "f2", "<text")]);
+    let text = |name: &str| format!("<text x=\"{x}\" y=\"{}\">{name}</text>", y + 12.0);
+    for words in ["f2 is a sail", "h0, h1", "next", "area", "f", "h", "12", "v 1", "v66"] {
+        reads(&behind(&text(words)));
+    }
+    for group in ["class=\"table\"", "class=\"legend\"", "class=\"caption\"", "id=\"notes\"", "class=\"a title\""] {
+        reads(&behind(&format!("<g {group}>{}</g>", text("h0"))));
+    }
+    // Clear of the structure, as a table that nobody calls so.
+    reads(&behind("<text x=\"30\" y=\"-300\">h0</text><text x=\"30\" y=\"-320\">v0</text>"));
+}
