@@ -47,7 +47,7 @@ const FAR: [f64; 2] = [1.6, 1.5];
 /// A line is too short if it covers less than this part of what the reference's covers of its edge, and leaves out more
 /// than this many times as much at its ends.
 const SHORT: f64 = 0.75;
-const LEFT_OUT: f64 = 1.5;
+const LEFT_OUT: f64 = 1.25;
 /// A barb lies on the side of its edge if it reaches so many times as far to that side of its line as to the other.
 const INSIDE: f64 = 1.5;
 
@@ -154,11 +154,16 @@ impl Along {
         far(-1.0) <= INSIDE * far(1.0) && self.has_barb_at(line, &places)
     }
 
-    /// Whether a barb would belong to a line if it lay on the other side of it.
+    /// Whether a barb would belong to a line if it lay on the other side of it: it reaches no farther aside than back,
+    /// and its outer corner is the hindmost one.
     fn has_turned_barb(&self, line: Stroke, corners: &[Point]) -> bool {
         let across = self.front(line)[1];
-        let places = corners.iter().map(|&p| self.place(p)).map(|[t, a]| [t, 2.0 * across - a]);
-        self.has_barb_at(line, &places.collect::<Vec<_>>())
+        let places: Vec<[f64; 2]> =
+            corners.iter().map(|&p| self.place(p)).map(|[t, a]| [t, 2.0 * across - a]).collect();
+        let [long, wide] = sides(&places);
+        let hindmost = places.iter().min_by(|p, q| p[0].total_cmp(&q[0]));
+        let is_outer = hindmost.is_some_and(|hindmost| places.iter().all(|place| place[1] <= hindmost[1]));
+        is_outer && wide <= long && self.has_barb_at(line, &places)
     }
 
     /// Whether a barb belongs to a line: its foremost corner is its tip and lies at the end of the line, and the corner

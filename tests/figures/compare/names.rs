@@ -181,3 +181,24 @@ fn texts_that_name_nothing_are_no_names() {
     // Clear of the structure, as a table that nobody calls so.
     reads(&behind("<text x=\"30\" y=\"-300\">h0</text><text x=\"30\" y=\"-320\">v0</text>"));
 }
+
+/// No figure of the kit draws a name too many, be it a film, a page, an inset or a table.
+#[test]
+fn figures_of_the_kit_draw_no_name_too_many() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../figures");
+    let mut seen = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "svg") {
+            continue;
+        }
+        let full = std::fs::read_to_string(&path).unwrap();
+        // A reference without any name excuses none.
+        let bare: Vec<&str> = full.lines().filter(|line| !line.starts_with("<text")).collect();
+        if let Ok(answer) = compare(&bare.join("\n"), &full, &Options::new().names(true)) {
+            assert!(answer.is_equal(), "{}: {}", path.display(), answer.text());
+            seen += 1;
+        }
+    }
+    assert!(seen > 5, "{seen}");
+}
