@@ -26,7 +26,8 @@ use crate::plane::Point;
 use std::cmp::Reverse;
 use std::collections::binary_heap::PeekMut;
 
-/// A row of faces with a short line of the given kind, through sides that fit. Returns whether there is one.
+/// A row of faces with a short line of the given kind, through sides that fit. Returns whether there is one. With costs, rows
+/// to further faces at the goal are kept beside it, as long as one of them may be cheaper by its line.
 pub(super) fn a_star(
     mesh: &NavMesh,
     scratch: &mut Scratch,
@@ -42,9 +43,14 @@ pub(super) fn a_star(
         scratch.reached[f.index()] = Reached { query, from: NONE, at: start, ..Reached::default() };
         scratch.push(distance(start, goal), f.number());
     }
+    // The least that a line to the goal costs, and how many faces there were reached; without costs the first one is the best.
+    let (mut best, mut reached_goals) = (f64::INFINITY, 0);
     // The best face that was reached last waits here: mostly it is the next one, and never gets into the queue.
     let mut hand: Option<(u64, u32)> = None;
     while let Some((mut least, mut f)) = scratch.next(&mut hand) {
+        if f64::from_bits(least) > best {
+            break;
+        }
         scratch.work.pops += 1;
         let mut here = scratch.reached[f as usize];
         if here.done {
@@ -52,8 +58,18 @@ pub(super) fn a_star(
         }
         scratch.reached[f as usize].done = true;
         if scratch.goals.contains(&FaceId::new(f)) {
-            scratch.trace(f);
-            return true;
+            if reached_goals == 0 {
+                let mut row = std::mem::take(&mut scratch.portals);
+                scratch.trace(f, &mut row);
+                scratch.portals = row;
+            } else {
+                let mut row = Vec::new();
+                scratch.trace(f, &mut row);
+                scratch.others.push(row);
+            }
+            reached_goals += 1;
+            let Some(costs) = costs.filter(|_| reached_goals < scratch.goals.len()) else { return true };
+            best = best.min(here.length + costs[FaceId::new(f)].max(0.0) * distance(here.at, goal));
         }
         // Where there is but one way on, it is taken at once.
         loop {
@@ -103,7 +119,7 @@ pub(super) fn a_star(
             (least, f) = (key, next);
         }
     }
-    false
+    reached_goals > 0
 }
 
 impl Scratch {
@@ -133,10 +149,10 @@ impl Scratch {
     }
 
     /// Writes down the portals that led to `f`, from the last to the first.
-    fn trace(&mut self, f: u32) {
+    fn trace(&self, f: u32, portals: &mut Vec<(u32, u32)>) {
         let mut at = self.reached[f as usize];
         while at.from != NONE {
-            self.portals.push((at.from, at.side));
+            portals.push((at.from, at.side));
             at = self.reached[at.from as usize];
         }
     }

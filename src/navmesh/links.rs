@@ -15,12 +15,9 @@
 //!
 //! Source: Dellin and Srinivasa, *A unifying formalism for shortest path problems with expensive edge evaluations*, 2016.
 
-use super::funnel::Endpoint;
 use super::nearest::distance;
-use super::steps::{End, steps};
 use super::{DistanceField, NavMesh, PathAlgorithm, Planner, QueryPoint, Route, Work};
-use crate::ids::{FaceMap, VertexId};
-use crate::plane::Point;
+use crate::ids::FaceMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -451,39 +448,6 @@ impl Planner {
             fields[layer].join(&near, before);
         }
         Ok(fields)
-    }
-}
-
-impl NavMesh {
-    /// What a route costs if a unit of length in a face costs as much as `costs` says: the path is taken apart where it
-    /// passes from face to face. On an edge the face counts that the route names.
-    ///
-    /// Cost: O(sides of its faces).
-    ///
-    /// # Panics
-    /// If `costs` has no entry for a face of the route.
-    #[must_use]
-    pub fn cost_along(&self, route: &Route, costs: &FaceMap<f64>) -> f64 {
-        let [Some(&start), Some(&goal)] = [route.points.first(), route.points.last()] else { return 0.0 };
-        let endpoint = |&v: &VertexId| Endpoint::at(self, v);
-        let portals: Vec<[Endpoint; 2]> =
-            route.portal_ends(self).map(|portal| [portal.left, portal.right].map(|v| endpoint(&v))).collect();
-        let ends = [start, goal].map(Endpoint::free);
-        let path: Vec<Endpoint> =
-            std::iter::once(ends[0]).chain(route.corners.iter().map(endpoint)).chain([ends[1]]).collect();
-        let (mut cost, mut last) = (0.0, start);
-        for step in steps(&portals, &path) {
-            let at = match step.end {
-                End::Portal(d, share) => {
-                    let [left, right] = portals[d].map(|endpoint| endpoint.point);
-                    Point::new(right.x + (left.x - right.x) * share, right.y + (left.y - right.y) * share)
-                }
-                End::Endpoint(k) => path[k].point,
-            };
-            cost += distance(last, at) * costs[route.faces[step.face]].max(0.0);
-            last = at;
-        }
-        cost
     }
 }
 

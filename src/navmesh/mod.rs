@@ -39,7 +39,7 @@
 //! | 3 | which faces lead from here to there? | `bidirectional_bfs.rs`, `corridor.rs`, by whole reduced corridors `junctions.rs`, `reduced_bfs.rs`, `reduced_astar.rs` |
 //! | 4 | what is the shortest path through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest path of all? | `exact/`, over larger faces `merged.rs` |
-//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `portals.rs`, `field.rs`, where faces cost more `weighted.rs`, `steiner.rs`, `weighted_field.rs` |
+//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `portals.rs`, `field.rs`, where faces cost more `price.rs`, `weighted.rs`, `steiner.rs`, `weighted_field.rs` |
 //! | | what does a straight line meet? where is somebody at random? how do teleports and storeys help? | `raycast.rs`, `random.rs`, `links.rs`, `steps.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //! | 8 | and in space, up and down, over and under each other? | `surface/` |
@@ -83,6 +83,7 @@ mod mesh;
 mod nearest;
 mod planner;
 mod portals;
+mod price;
 mod random;
 mod raycast;
 mod records;

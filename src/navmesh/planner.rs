@@ -170,7 +170,7 @@ impl Planner {
         let prepared = !self.plain && is_worth_it(mesh, start, goal);
         let merged = (prepared && algorithm == PathAlgorithm::Exact).then(|| mesh.merged());
         let junctions = (prepared && algorithm != PathAlgorithm::Exact).then(|| mesh.network());
-        self.search(mesh, start, goal, merged, |planner| match algorithm {
+        self.search(mesh, [start, goal], merged, None, |planner| match algorithm {
             PathAlgorithm::Breadth => match junctions {
                 Some(junctions) => {
                     reduced_bfs::fewest_faces(mesh, junctions, &mut planner.reduced_bfs, &mut planner.scratch)
@@ -189,9 +189,11 @@ impl Planner {
     }
 
     /// A route for which a unit of length in a face costs as much as `costs` says, by A* with the metric of `algorithm`.
+    /// [`cost_along`](NavMesh::cost_along) says what it costs.
     ///
     /// Not exact: the corridor is a good one for these costs, and within it the way is the shortest, not the
-    /// cheapest. With costs below 1 the corridor, too, may be far from the best.
+    /// cheapest. From an end on an edge or a vertex it may lead through any of the faces there: the cheapest way of those
+    /// that the search finds to them is taken. With costs below 1 the corridor, too, may be far from the best.
     ///
     /// # Errors
     /// [`RouteError::Unreachable`] if there is no path.
@@ -212,9 +214,23 @@ impl Planner {
         } else {
             algorithm
         };
-        self.search(mesh, start, goal, None, |planner| {
-            corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), |_, _| true, [start.point, goal.point])
-        })
+        let ends = [start.point, goal.point];
+        let mut best = self.search(mesh, [start, goal], None, Some(costs), |planner| {
+            corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), |_, _| true, ends)
+        })?;
+        let others = std::mem::take(&mut self.scratch.others);
+        let mut least = if others.is_empty() { 0.0 } else { mesh.cost_along(&best, costs) };
+        for portals in others {
+            let first = portals.last().map_or(start.face, |&(face, _)| FaceId::new(face));
+            self.scratch.portals = portals;
+            let way = self.scratch.pull(mesh, None, ends);
+            let route = self.scratch.finish(mesh, first, way);
+            let cost = mesh.cost_along(&route, costs);
+            if cost < least {
+                (best, least) = (route, cost);
+            }
+        }
+        Ok(Route { work: self.scratch.work, ..best })
     }
 
     /// How far it is from a place to all vertices that are no further than `limit`, by the shortest paths.
@@ -264,7 +280,7 @@ impl Planner {
     ) -> Result<Route, RouteError> {
         let fits = |face: FaceId, s: usize| portals::fits(mesh, face, s, radius);
         let (from, to) = (start.face, goal.face);
-        let route = self.search(mesh, start, goal, None, |planner| {
+        let route = self.search(mesh, [start, goal], None, None, |planner| {
             let ends = [start.point, goal.point];
             corridor::a_star(mesh, &mut planner.scratch, PathAlgorithm::Closest, None, fits, ends)
         });
@@ -280,13 +296,13 @@ impl Planner {
         }
     }
 
-    /// Runs a search over the faces, or over the merged ones.
+    /// Runs a search over the faces, or over the merged ones. Of faces that have both ends the cheapest is taken.
     fn search(
         &mut self,
         mesh: &NavMesh,
-        start: &QueryPoint,
-        goal: &QueryPoint,
+        [start, goal]: [&QueryPoint; 2],
         merged: Option<&Merged>,
+        costs: Option<&FaceMap<f64>>,
         find: impl FnOnce(&mut Self) -> bool,
     ) -> Result<Route, RouteError> {
         self.scratch.begin(mesh, start, goal, merged);
@@ -297,7 +313,9 @@ impl Planner {
         {
             return Err(apart(a, b));
         }
-        let common = self.scratch.starts.iter().find(|f| self.scratch.goals.contains(f)).copied();
+        let common = self.scratch.starts.iter().copied().filter(|f| self.scratch.goals.contains(f));
+        let cost = |&f: &FaceId| costs.map_or(1.0, |costs| costs[f].max(0.0));
+        let common = common.min_by(|f, g| cost(f).total_cmp(&cost(g)));
         if common.is_none() && !find(self) {
             let [a, b] = [from, to].map(|f| mesh.component(f).unwrap_or(super::ComponentId(NONE)));
             return Err(apart(a, b));

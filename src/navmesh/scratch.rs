@@ -46,6 +46,8 @@ pub(super) struct Scratch {
     pub(super) work: Work,
     /// The portals of the corridor that was found, by side, from the goal to the start.
     pub(super) portals: Vec<(u32, u32)>,
+    /// Further corridors that were found on the way, to other faces at the goal.
+    pub(super) others: Vec<Vec<(u32, u32)>>,
 }
 
 impl Scratch {
@@ -62,6 +64,7 @@ impl Scratch {
         self.allowed.resize((bound / 64 + 1).max(self.allowed.len()), 0);
         self.queue.clear();
         self.portals.clear();
+        self.others.clear();
         self.work = Work::default();
         self.starts.clear();
         mesh.add_faces_at(start, &mut self.starts);

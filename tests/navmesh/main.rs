@@ -17,6 +17,7 @@ mod many_corners;
 mod maps;
 mod merged;
 mod oracle;
+mod prices;
 mod reach;
 mod routes;
 mod sight;

@@ -4,6 +4,7 @@
 use crate::maps::{Map, Random};
 use crate::routes::is_close;
 use crate::surface::{check, far, list};
+use dcel_kit::VertexId;
 use dcel_kit::navmesh::{Floor, NavSurface, PathAlgorithm, SurfacePlanner, SurfacePoint};
 use dcel_kit::plane::Point;
 
@@ -101,4 +102,84 @@ fn there_and_back_are_equally_long_from_edges_borders_and_vertices() {
         }
     }
     assert!(compared > 400 && bent > 200 && by_vertices > 100, "{compared}, {bent} bent, {by_vertices} by vertices");
+}
+
+#[test]
+fn distances_from_a_start_very_near_a_vertex_are_right_to_the_last_digits() {
+    let points = [
+        [1., 0., 5.],
+        [3., 1., 6.],
+        [-1., 5., 4.],
+        [3., 5., 6.],
+        [0., 9., 5.],
+        [3., 8., 3.],
+        [1., 12., 0.],
+        [5., 13., 2.],
+    ];
+    let faces: [[u32; 3]; 6] = [[0, 1, 3], [0, 3, 2], [2, 3, 4], [3, 5, 4], [4, 5, 7], [4, 7, 6]];
+    // To v2, computed with 40 digits.
+    for (count, start, expected) in [
+        (2, [1.000_000_029_802_322_4, 4.470_348_358_154_297e-8], 5.477_225_547_845_988),
+        (6, [1.000_000_003_725_290_3, 5.587_935_447_692_871e-9], 5.477_225_571_650_952),
+    ] {
+        let faces: Vec<Vec<u32>> = faces[..count].iter().map(|face| face.to_vec()).collect();
+        let surface = NavSurface::new(&points, &list(&faces), None).expect("a surface");
+        let place = surface.place(start, Floor::Any).expect("on it");
+        let field = SurfacePlanner::new().distance_field(&surface, &place, f64::INFINITY);
+        let told = field.distance(VertexId::new(2)).expect("joined");
+        assert!((told - expected).abs() < 1e-10, "{start:?}: {told} and not {expected}");
+    }
+}
+
+/// From starts ever nearer to a vertex: a field says what paths say that are pulled straight, and no more and no less
+/// than from the vertex itself but for the way to it.
+#[test]
+fn fields_and_paths_from_ever_nearer_to_a_vertex_are_equally_long() {
+    let mut compared = 0;
+    for seed in 0..60 {
+        let mut random = Random::new(seed + 9100);
+        // Far from the origin points have fewer digits beside a vertex.
+        let shift = [0.0, 700.0][seed as usize % 2];
+        let map = Map::random(seed + 9300, 3, 0.9, 0.5).moved(|p| Point::new(p.x + shift, p.y - shift));
+        let points: Vec<Space> = map.points.iter().map(|p| [p.x, p.y, 2.0 * random.unit()]).collect();
+        let faces: Vec<Vec<u32>> = map.triangles.iter().map(|t| t.to_vec()).collect();
+        let Ok(surface) = NavSurface::new(&points, &list(&faces), None) else { continue };
+        let mut planner = SurfacePlanner::new();
+        for exponent in 3..13 {
+            let t = random.below(map.triangles.len());
+            let [a, b, c] = map.corners(t);
+            let share = 10f64.powi(-exponent) * (0.5 + random.unit());
+            let part = random.unit();
+            let step = |a: f64, b: f64, c: f64| a + share * (part * (b - a) + (1.0 - part) * (c - a));
+            let Ok(start) = surface.place([step(a.x, b.x, c.x), step(a.y, b.y, c.y)], Floor::Any) else { continue };
+            let corner = map.triangles[t][0] as usize;
+            let near = far(start.point, points[corner]);
+            let field = planner.distance_field(&surface, &start, f64::INFINITY);
+            let context = format!("seed {seed}, {near:e} from v{corner}, {:?}", start.point);
+            // From the vertex, if nobody has to say from which side of it.
+            let from_corner = match surface.places([a.x, a.y]).as_slice() {
+                [corner] => Some(planner.distance_field(&surface, corner, f64::INFINITY)),
+                _ => None,
+            };
+            for (v, p) in (0..).map(VertexId::new).zip(&points) {
+                let Some(told) = field.distance(v) else { continue };
+                let goals = surface.places([p[0], p[1]]);
+                let path = planner.route_among(&surface, PathAlgorithm::Exact, &[start], &goals);
+                let path = path.expect(&context).0.length;
+                assert!((told - path).abs() <= 1e-10 * told, "{context}: {told} to {v}, and {path} by a path");
+                let back = planner.route_among(&surface, PathAlgorithm::Exact, &goals, &[start]);
+                let back = back.expect(&context).0.length;
+                assert!((told - back).abs() <= 1e-10 * told, "{context}: {told} to {v}, and {back} back");
+                if let Some(from_corner) = from_corner.as_ref().and_then(|field| field.distance(v)) {
+                    let off = (told - from_corner).abs();
+                    assert!(
+                        off <= near + 1e-12 * (told + shift),
+                        "{context}: {told} to {v}, and {from_corner} from the vertex"
+                    );
+                }
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 3000, "{compared} compared");
 }

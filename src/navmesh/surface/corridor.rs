@@ -31,7 +31,8 @@ pub(super) struct Corridors {
 }
 
 impl Corridors {
-    /// The sides by which triangles are left, from the start on.
+    /// Rows of triangles to the goal, by the sides that they are left by, from the start on. More than one only with costs and
+    /// with several triangles at the goal, as long as another may be cheaper by its line.
     pub(super) fn find(
         &mut self,
         surface: &NavSurface,
@@ -39,7 +40,7 @@ impl Corridors {
         costs: Option<&FaceMap<f64>>,
         [start, goal]: [Space; 2],
         [starts, goals]: [&[usize]; 2],
-    ) -> Option<Vec<usize>> {
+    ) -> Vec<Vec<usize>> {
         self.query = self.query.wrapping_add(1);
         if self.query == 0 {
             self.reached.clear();
@@ -53,18 +54,27 @@ impl Corridors {
             self.reached[t] = Reached { query, at: start, ..UNKNOWN };
             self.put(0, t);
         }
-        while let Some(Reverse((least, t))) = self.queue.pop() {
+        let mut rows = Vec::new();
+        // The least that a line to the goal costs.
+        let mut best = f64::INFINITY;
+        while let Some(Reverse((least, t))) =
+            self.queue.pop().filter(|&Reverse((least, _))| f64::from_bits(least) <= best)
+        {
             let t = t as usize;
             self.work.pops += 1;
             let here = self.reached[t];
             if std::mem::replace(&mut self.reached[t].done, true) {
                 continue;
             }
+            let cost = costs.map_or(1.0, |costs| costs[surface.face_of(t)].max(0.0));
             if goals.contains(&t) {
-                return Some(self.row(surface, t));
+                rows.push(self.row(surface, t));
+                if costs.is_none() || rows.len() == goals.len() {
+                    break;
+                }
+                best = best.min(here.length + cost * between(here.at, goal));
             }
             self.work.expansions += 1;
-            let cost = costs.map_or(1.0, |costs| costs[surface.face_of(t)].max(0.0));
             for s in 3 * t..3 * t + 3 {
                 let twin = surface.sides[s].twin;
                 if twin == NONE || here.by == s as u32 {
@@ -87,7 +97,7 @@ impl Corridors {
                 self.put(key, beyond);
             }
         }
-        None
+        rows
     }
 
     fn put(&mut self, key: u64, triangle: usize) {

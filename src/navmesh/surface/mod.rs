@@ -32,9 +32,8 @@
 //! | `unfold.rs` | the shortest path through a row of triangles, back in space |
 //!
 //! What is a layer and where a point lies is decided by exact signs on the plan. Unfolding rounds: lengths are right to
-//! about 1e-12 of their size, and every length that is told is that of a path on the surface. From or to a point that is
-//! closer to a vertex than about 1e-7 of the greatest coordinate, but not on it, the path may not be the shortest: the angle
-//! that it comes to the vertex at is lost by rounding.
+//! about 1e-12 of their size, and every length that is told is that of a path on the surface. From and to points that are very
+//! close to a vertex, but not on it, too: what is near is measured from there, so that it keeps its digits.
 //!
 //! Sources: Mitchell, Mount and Papadimitriou, *The discrete geodesic problem*, 1987; Chen and Han, *Shortest paths on a
 //! polyhedron*, 1990, for "one angle, one split"; Xin and Wang, *Improving Chen and Han's algorithm on the discrete

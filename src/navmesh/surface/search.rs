@@ -147,7 +147,8 @@ impl SurfacePlanner {
     }
 
     /// A path for which a unit of length in a face costs as much as `costs` says. As on a map it is not exact: the
-    /// corridor is a good one for these costs, and within it the path is the shortest, not the cheapest.
+    /// corridor is a good one for these costs, and within it the path is the shortest, not the cheapest. From an end on an
+    /// edge or a vertex it may lead through any of the faces there. Along an edge the cheaper of its two faces counts.
     ///
     /// # Errors
     /// [`SurfaceRouteError::Unreachable`] if the surface does not lead from one to the other.
@@ -218,10 +219,13 @@ impl SurfacePlanner {
         }
         self.begin(surface);
         let [starts, goals] = [start, goal].map(|place| surface.triangles_at(place));
-        let common = starts.iter().find(|t| goals.contains(t)).copied();
-        let portals = match common {
-            Some(_) => Some(Vec::new()),
-            None if algorithm == PathAlgorithm::Exact => self.search(surface, start, &starts, goal.point, goals),
+        let cost = |&t: &usize| costs.map_or(1.0, |costs| costs[surface.face_of(t)].max(0.0));
+        let common = starts.iter().copied().filter(|t| goals.contains(t)).min_by(|t, u| cost(t).total_cmp(&cost(u)));
+        let rows = match common {
+            Some(_) => vec![Vec::new()],
+            None if algorithm == PathAlgorithm::Exact => {
+                self.search(surface, start, &starts, goal.point, goals).into_iter().collect()
+            }
             None => {
                 let ends = [start.point, goal.point];
                 let found = self.corridors.find(surface, algorithm, costs, ends, [&starts, &goals]);
@@ -229,14 +233,15 @@ impl SurfacePlanner {
                 found
             }
         };
+        let routes = rows.into_iter().map(|mut portals| {
+            keep_between(surface, [start, goal], &mut portals);
+            let first = portals.first().map_or(common.unwrap_or(start.triangle as usize), |portal| portal / 3);
+            Strip { surface, first, portals: &portals }.pull([start, goal], costs)
+        });
         // Within a component there is a path.
         let unreachable = SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to };
-        let mut portals = portals.ok_or(unreachable)?;
-        keep_between(surface, [start, goal], &mut portals);
-        let first = portals.first().map_or(common.unwrap_or(start.triangle as usize), |portal| portal / 3);
-        let mut route = Strip { surface, first, portals: &portals }.pull(start.point, goal.point, costs);
-        route.work = self.work;
-        Ok(route)
+        let best = routes.min_by(|one, other| one.cost.total_cmp(&other.cost)).ok_or(unreachable)?;
+        Ok(SurfaceRoute { work: self.work, ..best })
     }
 
     /// How far it is to every vertex that is no further away than `limit`, along the surface.

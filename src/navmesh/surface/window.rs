@@ -10,7 +10,7 @@
 //!               root
 //! ```
 
-use super::{NONE, NavSurface, between, dot, minus, next, prev};
+use super::{NONE, NavSurface, cross, dot, minus, next, norm, prev};
 
 /// What a root sees of a side.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -132,12 +132,18 @@ impl Window {
 }
 
 impl NavSurface {
-    /// Where a point of space is in the frame of a side, if it is turned round the side into the plane above it.
+    /// Where a point of space is in the frame of a side, if it is turned round the side into the plane above it. Measured from
+    /// the nearer end of the side, so that beside an end as few digits are lost as the point has; never by differences of
+    /// squared lengths, which lose half of them.
     pub(super) fn turned(&self, side: usize, p: [f64; 3]) -> [f64; 2] {
         let [a, b] = self.ends(side);
-        let (along, off) = (minus(b, a), minus(p, a));
-        let x = dot(along, off) / self.sides[side].length;
-        let whole = between(p, a);
-        [x, ((whole - x.abs()) * (whole + x.abs())).max(0.0).sqrt()]
+        let (along, length) = (minus(b, a), self.sides[side].length);
+        let mut off = minus(p, a);
+        let mut x = dot(along, off) / length;
+        if x + x > length {
+            off = minus(p, b);
+            x = length + dot(along, off) / length;
+        }
+        [x, norm(cross(along, off)) / length]
     }
 }
