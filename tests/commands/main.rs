@@ -13,6 +13,8 @@ mod memory;
 mod mend;
 mod misfits;
 mod navmesh;
+mod navmesh_costs;
+mod navmesh_flags;
 mod numbers;
 mod old_words;
 mod play;

@@ -600,8 +600,13 @@ fn costs_links_distances_and_random_points_come_from_the_command_line() {
     let path = "navmesh path rooms.map 1 1 22 12";
     folder.dcel(&format!("{path} --cost f1=3")).fails(
         2,
-        "--cost cannot be used with --algorithm exact",
-        "--algorithm closest",
+        "--cost cannot be used with --algorithm exact: exact finds the shortest path, whatever faces cost",
+        "a quicker rule, for example --algorithm closest",
+    );
+    folder.dcel(&format!("{path} --algorithm bfs --cost f1=3")).fails(
+        2,
+        "--cost cannot be used with --algorithm bfs: bfs counts faces, whatever they cost",
+        "a rule that counts lengths, for example --algorithm closest",
     );
     folder.dcel(&format!("{path} --algorithm closest --cost f9999=3")).fails(2, "f9999 is no face", "locate");
     folder.dcel(&format!("{path} --algorithm closest --cost f1")).fails(2, "write it like f3=2.5", "");

@@ -97,11 +97,16 @@ fn link(text: &str) -> Result<LinkWish, String> {
 impl Extras {
     /// Refuses costs for searches that know none.
     pub(super) fn check(&self, algorithm: PathAlgorithm, word: &str) -> Result<(), Failure> {
-        if self.areas().is_empty() || !matches!(algorithm, PathAlgorithm::Exact | PathAlgorithm::Breadth) {
+        let (why, rule) = match algorithm {
+            PathAlgorithm::Exact => ("exact finds the shortest path, whatever faces cost", "a quicker rule"),
+            PathAlgorithm::Breadth => ("bfs counts faces, whatever they cost", "a rule that counts lengths"),
+            _ => return Ok(()),
+        };
+        if self.areas().is_empty() {
             return Ok(());
         }
-        let what = format!("--cost cannot be used with --algorithm {word}: it counts lengths or faces");
-        Err(Failure::input(what, "choose a quicker rule, for example --algorithm closest"))
+        let what = format!("--cost cannot be used with --algorithm {word}: {why}");
+        Err(Failure::input(what, format!("choose {rule}, for example --algorithm closest")))
     }
 
     /// The links between places.

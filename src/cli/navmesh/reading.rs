@@ -177,13 +177,8 @@ impl MapArgs {
     /// The same without a word about what nearly meets.
     pub(super) fn look(&self, space: bool) -> Result<Input, Failure> {
         let plane = |draft| Ok(Input::Plane(Box::new(draft)));
-        if self.is_grid() && self.mend {
-            let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
-            return Err(Failure::input(what, "leave --mend out"));
-        }
-        if self.is_grid() && self.weld.is_some() {
-            let what = format!("{}: --weld cannot be used on a grid map: cells always fit together", self.source());
-            return Err(Failure::input(what, "leave --weld out"));
+        if self.is_grid() {
+            self.refuse_on_grid()?;
         }
         if self.is_grid() && self.triangles {
             let grid = Grid::parse(&read_whole(&self.file)?, &self.source())?;
@@ -199,15 +194,19 @@ impl MapArgs {
             ..ReadOptions::default()
         };
         let mut read = read_path(&self.file, &options)?;
+        if read.format == Format::Map {
+            self.refuse_on_grid()?;
+        }
         if self.mend && matches!(read.document, Document::Table(_)) {
             let what =
                 format!("{}: --mend cannot be used on {}: it is for polygons and segments", self.source(), read.format);
             return Err(Failure::input(what, "leave --mend out; dcel validate names what is broken"));
         }
         let Document::Polygons(soup) = &mut read.document else {
-            if self.weld.is_some() {
-                let what = format!("{}: --weld cannot be used on {}: it is for polygons", self.source(), read.format);
-                return Err(Failure::input(what, "leave --weld out"));
+            let given = [("--weld", self.weld.is_some()), ("--orient", self.orient), ("--up", self.up.is_some())];
+            if let Some((flag, _)) = given.into_iter().find(|&(_, is_given)| is_given) {
+                let what = format!("{}: {flag} cannot be used on {}: it is for polygons", self.source(), read.format);
+                return Err(Failure::input(what, format!("leave {flag} out")));
             }
             return plane(Draft::Other(read));
         };
@@ -246,6 +245,24 @@ impl MapArgs {
         // What is mended is judged afterwards.
         let faults = if self.mend { Vec::new() } else { faults_of(&with_touching_corners(soup), self.orient) };
         plane(Draft::Polygons { read, faults, level })
+    }
+
+    /// Refuses what can do nothing with the cells of a grid map.
+    fn refuse_on_grid(&self) -> Result<(), Failure> {
+        let fit = "cells always fit together";
+        let flags = [
+            ("--mend", self.mend, fit),
+            ("--weld", self.weld.is_some(), fit),
+            ("--orient", self.orient, "cells always run counter-clockwise"),
+            ("--up", self.up.is_some(), "cells lie in the plane and have no heights"),
+        ];
+        let Some((flag, _, why)) = flags.into_iter().find(|&(_, is_given, _)| is_given) else { return Ok(()) };
+        // What cannot be given without it goes with it.
+        let with_it = [("--max-slope", self.max_slope.is_some()), ("--layer", self.layer.is_some())];
+        let with_it = with_it.into_iter().filter(|&(_, is_given)| flag == "--up" && is_given);
+        let all: Vec<&str> = std::iter::once(flag).chain(with_it.map(|(other, _)| other)).collect();
+        let what = format!("{}: {flag} cannot be used on a grid map: {why}", self.source());
+        Err(Failure::input(what, format!("leave {} out", all.join(" and "))))
     }
 
     /// Welds polygons. Tells what was done.

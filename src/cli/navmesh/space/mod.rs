@@ -119,6 +119,22 @@ impl Ground {
         }
     }
 
+    /// What to try if there is no place near any point: all faces stand upright then, and mostly another axis points up.
+    fn help_to_lie_down(&self) -> String {
+        let triangles = || self.surface.faces().flat_map(|f| self.surface.triangles(f));
+        // How large the shadows of the triangles are along an axis of the file.
+        let shadow = |axis: usize| {
+            let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+            let of = |[a, b, c]: [[f64; 3]; 3]| (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+            triangles().map(|triangle| of(triangle.map(|p| self.in_file(p))).abs()).sum::<f64>()
+        };
+        let largest = [0, 1, 2].into_iter().max_by(|&a, &b| shadow(a).total_cmp(&shadow(b))).unwrap_or_default();
+        let name = |axis: usize| ["x", "y", "z"][axis];
+        let up = name(self.up as usize);
+        let all = format!("with --up {up} all faces stand upright, and there is nothing to stand on");
+        if largest == self.up as usize { all } else { format!("{all}: try --up {}", name(largest)) }
+    }
+
     /// The places of an end, moved if need be.
     pub(super) fn end(&self, wish: &Wish<'_>, snap: &Snap) -> Result<End, Failure> {
         let (at, height) = self.point(wish.numbers);
@@ -181,6 +197,8 @@ impl Ground {
             };
             return Err(Failure::input(format!("{}: the {what} {why}", self.source), help));
         }
+        let is_nowhere = matches!(error, SurfacePointError::Off { .. });
+        let help = if is_nowhere { self.help_to_lie_down() } else { help };
         Err(Failure::input(format!("{}: the {what} {why}", self.source), help))
     }
 
