@@ -47,7 +47,9 @@ const FAR: [f64; 2] = [1.6, 1.5];
 /// A line is too short if it covers less than this part of what the reference's covers of its edge, and leaves out more
 /// than this many times as much at its ends.
 const SHORT: f64 = 0.75;
-const LEFT_OUT: f64 = 1.25;
+const LEFT_OUT: f64 = 1.5;
+/// Edges of fewer distances of their lines than this are short: there lines may end anywhere.
+const LONG: f64 = 8.0;
 /// A barb lies on the side of its edge if it reaches so many times as far to that side of its line as to the other.
 const INSIDE: f64 = 1.5;
 
@@ -238,8 +240,8 @@ impl Traced<'_> {
             (a - b).abs()
         };
         let line = self.beside.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;
-        let part = part(line);
-        Some(Reach { part, left_out: (1.0 - part) * along.length / along.distance(line.ends) })
+        let (part, edge) = (part(line), along.length / along.distance(line.ends));
+        Some(Reach { part, left_out: (1.0 - part) * edge, is_long: edge >= LONG })
     }
 }
 
@@ -324,12 +326,14 @@ fn wrong(drawing: &Drawing, table: &Table) -> Vec<(HalfEdgeId, Wrong)> {
 struct Reach {
     part: f64,
     left_out: f64,
+    /// Whether the edge is long enough to judge by that.
+    is_long: bool,
 }
 
 impl Reach {
     /// Whether it is clearly shorter than another one, which may be drawn in another size.
     fn is_short_of(self, other: Self) -> bool {
-        self.part < SHORT * other.part && self.left_out > LEFT_OUT * other.left_out
+        self.is_long && self.part < SHORT * other.part && self.left_out > LEFT_OUT * other.left_out
     }
 }
 
