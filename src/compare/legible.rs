@@ -12,7 +12,6 @@
 use super::eye::{Eye, FAINT, contrast};
 use super::painting::{Coat, Lettering, Shade, Shape};
 use super::pairing::distance;
-use crate::plane::Point;
 
 /// Letters of fewer px than this are not read.
 const SMALLEST: f64 = 4.0;
@@ -41,14 +40,9 @@ fn mixed(below: [f64; 3], (colour, alpha): Shade) -> [f64; 3] {
     [0, 1, 2].map(|c| below[c] + alpha * (colour[c] - below[c]))
 }
 
-fn middle(coat: &Coat) -> Point {
-    let [low, high] = coat.corners();
-    Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y))
-}
-
 /// Whether two texts stand at the same place: a text and a copy of it that is its halo.
 pub(super) fn is_copy([a, b]: [&Coat; 2]) -> bool {
-    distance(middle(a), middle(b)) <= 0.5 * a.thickness().min(b.thickness())
+    distance(a.middle(), b.middle()) <= 0.5 * a.thickness().min(b.thickness())
 }
 
 impl Eye<'_> {
@@ -58,7 +52,7 @@ impl Eye<'_> {
         let painting = self.painting;
         let coat = &painting.coats[i as usize];
         let [low, high] = coat.corners();
-        self.look(middle(coat));
+        self.look(coat.middle());
         if self.is_tired() {
             return true;
         }

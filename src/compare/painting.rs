@@ -230,6 +230,12 @@ impl Coat {
         self.part == Part::Mark(Mark::Letters) && self.thickness() <= LETTERS * span
     }
 
+    /// The middle of the box round it.
+    pub(super) fn middle(&self) -> Point {
+        let [low, high] = self.corners();
+        Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y))
+    }
+
     /// The height of letters; of anything else its diameter.
     pub(super) fn thickness(&self) -> f64 {
         match (self.part, &self.shape) {

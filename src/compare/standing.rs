@@ -78,8 +78,7 @@ impl<'a> Around<'a> {
     /// Whether letters stand where something is that a group declares.
     pub(super) fn is_at_place(&self, element: &str, letters: u32) -> bool {
         let coat = &self.drawing.painting.coats[letters as usize];
-        let [low, high] = coat.corners();
-        let middle = Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y));
+        let middle = coat.middle();
         if element.parse::<VertexId>().is_ok() {
             let Some(&at) = self.vertices.get(element) else { return true };
             // Only a vertex that is much nearer is named instead.

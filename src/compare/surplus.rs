@@ -63,10 +63,8 @@ pub(super) fn surplus(
             continue;
         }
         let what = if element.is_empty() {
-            let [low, high] = letters.corners();
-            let middle = Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y));
             let is_at = |other: &String| !right.contains_key(other.as_str()) && around.is_at_place(other, coat);
-            if !extent.holds(middle, -HEIGHTS * letters.thickness()) || named.iter().any(is_at) {
+            if !extent.holds(letters.middle(), -HEIGHTS * letters.thickness()) || named.iter().any(is_at) {
                 continue;
             }
             if rights.is_empty() { Surplus::Loose } else { Surplus::Twice }

@@ -96,6 +96,23 @@ fn of_crowd<K: Ord>(cell: &mut [u32], key: impl Fn(u32) -> K, first_of: &mut [u3
     }
 }
 
+/// Things at numbered points, from left to right, those above each other from bottom to top; those at one place by the
+/// numbers of their points, then by themselves. O(n log n).
+pub(crate) fn from_left_to_right<T: Copy + Ord>(
+    things: impl Iterator<Item = (u32, T)>,
+    at: impl Fn(u32) -> Point,
+) -> Vec<(u32, T)> {
+    // By whole numbers that stand in the list: comparing the points themselves would look them up at each step.
+    let mut order: Vec<(u64, u32, T)> = things.map(|(p, thing)| (sort_key(at(p).x), p, thing)).collect();
+    order.sort_unstable();
+    for above_each_other in order.chunk_by_mut(|a, b| a.0 == b.0) {
+        if above_each_other.first().map(|e| e.1) != above_each_other.last().map(|e| e.1) {
+            above_each_other.sort_unstable_by_key(|&(_, p, thing)| (sort_key(at(p).y), p, thing));
+        }
+    }
+    order.into_iter().map(|(_, p, thing)| (p, thing)).collect()
+}
+
 /// For each point the number of the first one with the same coordinates, where -0 = 0. Cells are those of the first two.
 ///
 /// Cost: expected O(n) where points are spread over the plane of their first two coordinates; O(n log n) at worst.

@@ -16,7 +16,8 @@
 use super::Point;
 use super::status::Status;
 use crate::geometry::grouping::grouped;
-use crate::geometry::predicates::{left_to_right, orientation, sort_key};
+use crate::geometry::places::from_left_to_right;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::progress::Stage;
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -75,22 +76,11 @@ pub(super) struct OneRing<'a> {
 ///
 /// Without `look_for_intersections` the input must have none; then the answer is right, otherwise it is some answer.
 pub(super) fn sweep(points: &[Point], edges: &[[u32; 2]], extra: &[u32], look_for_intersections: bool) -> Swept {
-    let events = from_left_to_right(points, edges.iter().flatten().chain(extra));
-    sweep_in_order(points, edges, &events, look_for_intersections, |_| ())
-}
-
-/// The points with these numbers, each once, from left to right and from bottom to top; those at one place by their
-/// numbers. O(points + n log n) for n different ones.
-fn from_left_to_right<'a>(points: &[Point], numbers: impl Iterator<Item = &'a u32>) -> Vec<u32> {
     let mut takes_part = vec![false; points.len()];
-    numbers.for_each(|&p| takes_part[p as usize] = true);
-    let there = (0..).zip(points.iter().zip(takes_part)).filter(|(_, (_, takes_part))| *takes_part);
-    let mut order: Vec<(u64, u32)> = there.map(|(number, (p, _))| (sort_key(p.x), number)).collect();
-    order.sort_unstable();
-    for above_each_other in order.chunk_by_mut(|a, b| a.0 == b.0).filter(|chunk| chunk.len() > 1) {
-        above_each_other.sort_unstable_by_key(|&(_, number)| (sort_key(points[number as usize].y), number));
-    }
-    order.into_iter().map(|(_, number)| number).collect()
+    edges.iter().flatten().chain(extra).for_each(|&p| takes_part[p as usize] = true);
+    let there = (0..).zip(takes_part).filter(|(_, takes_part)| *takes_part).map(|(p, _)| (p, ()));
+    let events: Vec<u32> = from_left_to_right(there, |p| points[p as usize]).into_iter().map(|(p, ())| p).collect();
+    sweep_in_order(points, edges, &events, look_for_intersections, |_| ())
 }
 
 /// The same, for callers who know the order of the points: `events` holds every point that takes part once, from

@@ -121,10 +121,10 @@ impl Eye {
             let gap = dot(normal, minus(solid.face_mean(f), middle));
             (rise > 1e-12).then_some((gap / rise, f))
         });
-        let (distance, first) =
+        let (distance, nearest) =
             met.fold((2.5 * radius, face), |least, (far, f)| if 0.6 * far < least.0 { (0.6 * far, f) } else { least });
         if distance <= IN_PLANE * radius {
-            return Err(first);
+            return Err(nearest);
         }
         let first = solid.corners(face).next().map_or([1.0, 0.0, 0.0], |p| minus(p, middle));
         let along = minus(first, times(outwards, dot(first, outwards)));

@@ -12,7 +12,8 @@
 //! A *corner* of a face is named by the half-edge that leaves it. A diagonal joins two corners.
 
 use super::TriangulateError;
-use crate::geometry::predicates::{left_to_right, orientation, sort_key};
+use crate::geometry::places::from_left_to_right;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{InnerComponent, TooMany};
@@ -196,15 +197,8 @@ impl Patch {
             PatchComponent::Cycle(..) => None,
         });
         let all = self.links.origin.iter().zip(0..).map(|(&v, i)| (v, i)).chain(isolated);
-        let at = |v: u32| s.points[VertexId::new(v)];
-        let mut order: Vec<(u64, u32, u32)> = all.map(|(v, i)| (sort_key(at(v).x), v, i)).collect();
-        order.sort_unstable();
-        for above_each_other in order.chunk_by_mut(|a, b| a.0 == b.0) {
-            if above_each_other.first().map(|e| e.1) != above_each_other.last().map(|e| e.1) {
-                above_each_other.sort_unstable_by_key(|&(_, v, i)| (sort_key(at(v).y), v, i));
-            }
-        }
-        self.number(s, order.into_iter().map(|(_, v, event)| (v, event)));
+        let order = from_left_to_right(all, |v| s.points[VertexId::new(v)]);
+        self.number(s, order.into_iter());
     }
 
     /// Gives places to vertices, which come from left to right, each with what happens there.
