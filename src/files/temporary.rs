@@ -64,7 +64,7 @@ impl Temporary {
         Self::make(target, Metadata::is_dir, |path| {
             fs::create_dir(path)?;
             // Elsewhere folders cannot be opened, and so not be locked.
-            if cfg!(unix) { File::open(path).map(Some) } else { Ok(None) }
+            if cfg!(unix) { opened(path).map(Some) } else { Ok(None) }
         })
     }
 
@@ -144,6 +144,15 @@ fn hidden(name: &std::ffi::OsStr, number: u32) -> OsString {
     hidden
 }
 
+/// Opens a folder that was just made. If it is gone, [`claim`] tries again: it was not locked yet, and so another process
+/// that looked for what was left behind has removed it.
+fn opened(path: &Path) -> io::Result<File> {
+    File::open(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => io::ErrorKind::Interrupted.into(),
+        _ => error,
+    })
+}
+
 /// Makes a temporary under this name and locks it. Nothing if somebody else uses the name.
 fn claim(
     path: &Path,
@@ -165,6 +174,7 @@ fn claim(
                     return Ok(None);
                 }
             }
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             Err(error) => return Err(error),
         }
     }

@@ -3,7 +3,9 @@
 //! Named after the defect that showed it: `defects/disk_full.sh`.
 
 use crate::shell::{Folder, SQUARE, grid};
+use dcel_kit::files::ScratchFolder;
 use std::fs;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// What a good old file holds in these tests.
@@ -136,6 +138,37 @@ fn a_temporary_in_use_is_left_alone() {
     drop(other);
     folder.dcel("convert square.obj out.dcel").fine();
     assert_eq!(hidden(&folder), [""; 0]);
+}
+
+/// Many processes make and remove folders of one name: one that looks for what was left behind sees those of others
+/// before they are locked.
+#[test]
+#[cfg(unix)]
+fn scratch_folders_of_many_processes_are_never_taken_away() {
+    const ROOM: &str = "DCEL_TEST_ROOM";
+    if let Some(room) = std::env::var_os(ROOM) {
+        let target = Path::new(&room).join("scratch");
+        for _ in 0..3000 {
+            let folder = ScratchFolder::beside(&target).expect("a folder");
+            assert!(folder.path().is_dir(), "another process has removed it");
+        }
+        return;
+    }
+    let room = Folder::new();
+    let myself = std::env::current_exe().expect("this program has a path");
+    let mut others = Vec::new();
+    for _ in 0..6 {
+        let mut command = Command::new(&myself);
+        command.args(["scratch_folders_of_many_processes_are_never_taken_away", "--nocapture"]);
+        command.env(ROOM, room.path(".")).stdout(Stdio::piped()).stderr(Stdio::piped());
+        others.push(command.spawn().expect("this program starts"));
+    }
+    for other in others {
+        let done = other.wait_with_output().expect("it ends");
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        assert!(String::from_utf8_lossy(&done.stdout).contains("1 passed"), "it ran");
+    }
+    assert!(hidden(&room).is_empty(), "{:?}", hidden(&room));
 }
 
 #[test]
