@@ -114,6 +114,9 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
             notes.push(format!("{count} segments are shorter than a step of the grid and became points: {shown}"));
         }
     }
+    if let Some((edge, [one, other])) = arranged.grid.and_then(|_| arranged.first_shared_edge()) {
+        notes.push(format!("segments lie on each other on the grid, the first of them {one} and {other} along {edge}"));
+    }
     notes
 }
 

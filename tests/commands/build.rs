@@ -180,6 +180,24 @@ fn segments_that_become_points_are_named() {
     }
 }
 
+#[test]
+fn segments_that_a_grid_brings_together_are_told() {
+    let folder = Folder::empty();
+    let told = |text: &str| {
+        folder.write("near.segments", text);
+        let err = folder.dcel("build near.segments --mend --grid 1").err;
+        err.lines().find(|line| line.contains("lie on each other")).unwrap_or_default().to_owned()
+    };
+    // Apart, crossing, touching, and the same line twice, which is told as such.
+    for apart in ["0 0 9 0\n0 1 9 1\n", "0 0 8 8\n0 8 8 0\n", "0 0 8 0\n4 0 4 8\n", "0 0 8 0\n8 0 0 0\n"] {
+        assert_eq!(told(apart), "", "{apart}");
+    }
+    let note = |rest: &str| format!("note: segments lie on each other on the grid, the first of them {rest}");
+    assert_eq!(told("0 5 9 5\n0 0 9 0.25\n0.25 0 9 0\n"), note("1 and 2 along e1"));
+    assert_eq!(told("0 0 8 0\n0 0 8 0\n2 0.25 5 0.25\n"), note("0 and 2 along e1"));
+    assert_eq!(told("0 0 8 0.5\n5 1 5 0.25\n4 8 4 -8\n0 0 8 -0.25\n"), note("0 and 3 along e0"));
+}
+
 /// A comma may be meant as a decimal point, so it parts no numbers.
 #[test]
 fn commas_in_segments_are_told_as_such() {

@@ -134,6 +134,36 @@ impl Arranged {
         (0..self.chains.count()).filter(|&i| self.chains.of(i).len() > 1).map(|i| i as u32)
     }
 
+    /// The first two segments that share an edge without being the same, with the edge: `(e0, [0, 2])`. Segments that lie on
+    /// each other in the input share edges, and so do those that a grid has brought together. O(edges).
+    ///
+    /// ```
+    /// use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
+    /// let near = [[Point::new(0., 0.), Point::new(4., 0.)], [Point::new(0., 0.25), Point::new(2., 0.)]];
+    /// let on_grid = ArrangeOptions { split: true, grid: Some(1.0), ..ArrangeOptions::default() };
+    /// let (edge, segments) = Subdivision::arrange_segments(&near, &on_grid)?.first_shared_edge().unwrap();
+    /// assert_eq!((edge.to_string(), segments), ("e0".to_owned(), [0, 1]));
+    /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
+    /// ```
+    #[must_use]
+    pub fn first_shared_edge(&self) -> Option<(EdgeId, [u32; 2])> {
+        let mut first = vec![u32::MAX; self.subdivision.edge_bound()];
+        let mut repeated = self.repeated.iter().map(|&(segment, _)| segment).peekable();
+        for segment in 0..self.chains.count() as u32 {
+            if repeated.next_if_eq(&segment).is_some() {
+                continue;
+            }
+            for h in self.chains.of(segment as usize) {
+                let seen = &mut first[h.edge().index()];
+                if *seen != u32::MAX {
+                    return Some((h.edge(), [*seen, segment]));
+                }
+                *seen = segment;
+            }
+        }
+        None
+    }
+
     /// The segments that run along each edge.
     ///
     /// The answer is as long as all chains together: for segments that all overlap each other the square of their
