@@ -139,7 +139,8 @@ impl Args {
         let pairs = self.coordinates.chunks(2).map(|pair| match *pair {
             [x, y] => {
                 let p = Point::new(x, y);
-                p.check().map_err(|error| Failure::input(error, "")).map(|()| p)
+                let refused = |error| format!("the point {} cannot be looked for: {error}", point(&[x, y]));
+                p.check().map_err(|error| Failure::input(refused(error), "")).map(|()| p)
             }
             _ => {
                 let what = format!(

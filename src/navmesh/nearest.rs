@@ -15,7 +15,7 @@
 
 use super::location::{Location, QueryPoint};
 use super::{ComponentId, NavMesh};
-use crate::ids::FaceId;
+use crate::ids::{FaceId, VertexId};
 use crate::plane::Point;
 
 /// The nearest place to a point.
@@ -59,10 +59,10 @@ impl NavMesh {
         };
         let [column, row] = self.grid.cell(p);
         let [columns, rows] = self.grid.size();
-        let mut best: Option<(f64, FaceId, Point)> = None;
+        let mut best: Option<(f64, Nearest)> = None;
         for ring in 0..columns.max(rows) {
             let beyond = (ring as f64 - 1.001) * self.grid.step();
-            if ring > 1 && best.is_some_and(|(excess, ..)| excess <= beyond * beyond * unit) {
+            if ring > 1 && best.is_some_and(|(excess, _)| excess <= beyond * beyond * unit) {
                 break;
             }
             let [low, high] = [column.saturating_sub(ring), (column + ring).min(columns - 1)];
@@ -75,16 +75,21 @@ impl NavMesh {
                         }
                         for s in self.range(f) {
                             let at = closest_in_units(self.ends(f, s).map(|v| self.point(v)), p, unit);
-                            let excess = excess(at);
-                            if best.is_none_or(|(least, ..)| excess < least) {
-                                best = Some((excess, f, at));
+                            if best.is_some_and(|(least, _)| excess(at) >= least) {
+                                continue;
+                            }
+                            // In a thin face there may be no point of doubles near it.
+                            let found = self.nearest_in(f, at, p);
+                            let excess = excess(found.place.point);
+                            if best.is_none_or(|(least, _)| excess < least) {
+                                best = Some((excess, found));
                             }
                         }
                     }
                 }
             }
         }
-        best.map(|(_, f, at)| self.nearest_in(f, at, p))
+        best.map(|(_, found)| found)
     }
 
     /// Two opposite corners of the box round all faces.
@@ -106,8 +111,10 @@ impl NavMesh {
         let moved = steps.map(|t| Point::new(at.x + (middle.x - at.x) * t, at.y + (middle.y - at.y) * t));
         let found = std::iter::once(at).chain(moved).find_map(|q| Some((q, self.spot_in(f, q)?)));
         let (point, location) = found.unwrap_or_else(|| {
-            // A face too thin to have a point inside: one of its corners.
-            let v = self.corners(f).next().unwrap_or(crate::VertexId::new(0));
+            // A face too thin to have a point inside: the nearest of its corners.
+            let far = |v: &VertexId| distance(self.point(*v), at);
+            let nearest = self.corners(f).min_by(|a, b| far(a).total_cmp(&far(b)));
+            let v = nearest.unwrap_or(VertexId::new(0));
             (self.point(v), Location::Vertex(v))
         });
         let unit = unit_for(p);
@@ -149,11 +156,12 @@ fn closest_in_units([a, b]: [Point; 2], p: Point, unit: f64) -> Point {
     let along = [b.x - a.x, b.y - a.y];
     let off = [p.x * unit - a.x * unit, p.y * unit - a.y * unit];
     let t = (off[0] * along[0] + off[1] * along[1]) / ((along[0] * along[0] + along[1] * along[1]) * unit);
-    if t <= 0.0 {
-        a
-    } else if t >= 1.0 {
+    // Ends at one place make it no number.
+    if t >= 1.0 {
         b
-    } else {
+    } else if t > 0.0 {
         Point::new(a.x + along[0] * t, a.y + along[1] * t)
+    } else {
+        a
     }
 }

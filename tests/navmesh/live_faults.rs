@@ -128,3 +128,54 @@ fn a_border_along_which_a_wall_stood_is_straight_again_when_all_is_out() {
         }
     }
 }
+
+/// The end of the third wall lies beside a cut that runs along the second one, within the room that rounding leaves: whatever
+/// the order, that wall is led through it, and nothing slips between them.
+#[test]
+fn an_end_is_put_on_a_line_behind_a_cut() {
+    let at = |(x, y): (f64, f64)| Point::new(x * 0.1 + 1e6, y * 0.1 + 1e6);
+    let points = [(16., 9.), (16., 16.), (9., 18.), (24., 11.), (24., 16.), (0., 19.), (9., 24.), (18., 24.)].map(at);
+    let triangles = [[0, 1, 2], [0, 3, 1], [3, 4, 1], [5, 2, 6], [2, 1, 7], [2, 7, 6]];
+    let map = Subdivision::from_triangles(points.to_vec(), &triangles).expect("a floor");
+    let walls = [[(11., 16.), (14., 8.)], [(8., 22.), (12., 14.)], [(9., 24.), (10., 18.)]];
+    for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        let mut live = LiveMesh::new(map.clone()).expect("convex");
+        for [p, q] in order.map(|i| walls[i]) {
+            live.insert_wall(at(p), at(q)).expect("a wall");
+        }
+        let [start, goal] = [(22.375, 14.875), (7.3125, 21.8125)].map(at);
+        let path = Planner::new().route_between(live.mesh(), PathAlgorithm::Exact, start, goal);
+        assert!(path.is_err(), "{order:?}: {:?}", path.map(|path| path.points));
+    }
+}
+
+/// The number of a vertex that went may be that of one outside of all faces.
+#[test]
+fn vertices_of_the_map_are_where_the_mesh_says_also_outside_of_its_faces() {
+    let mut live = hall(&[]);
+    let wall = live.insert_wall(Point::new(12., 4.), Point::new(10., 14.)).expect("a wall");
+    live.remove(wall).expect("it stands");
+    live.insert_wall(Point::new(16., 8.), Point::new(24., 9.)).expect("a wall");
+    let map = live.map();
+    assert!(map.vertices().any(|v| map.point(v) == Point::new(24., 9.)));
+    for v in map.vertices() {
+        assert_eq!(live.mesh().point(v), map.point(v), "{v}");
+    }
+}
+
+#[test]
+fn a_move_that_cannot_be_changes_nothing() {
+    let mut live = hall(&[&[(4., 4.), (8., 5.), (6., 9.)], &[(5., 2.), (7., 12.)]]);
+    let all = |live: &LiveMesh| {
+        let map = live.map();
+        let edges: Vec<_> = map.edges().map(|e| (e, e.half_edges().map(|h| map.point(map.origin(h))))).collect();
+        (edges, live.obstacles())
+    };
+    let (before, obstacles) = (all(&live), live.obstacles());
+    for vector in [[f64::INFINITY, 0.0], [0.0, f64::NAN], [1e99, 0.0]] {
+        for &obstacle in &obstacles {
+            assert!(live.move_obstacle(obstacle, vector).is_err(), "{obstacle} by {vector:?}");
+            assert_eq!(all(&live), before, "{obstacle} by {vector:?}");
+        }
+    }
+}

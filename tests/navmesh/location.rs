@@ -124,6 +124,30 @@ fn the_nearest_point_is_on_the_mesh_and_none_is_nearer() {
     }
 }
 
+/// Where a sliver is nearest in which no point near it can be written in doubles, its nearest corner is compared with what
+/// else there is.
+#[test]
+fn the_nearest_point_is_near_beside_a_sliver() {
+    let quad = [
+        (16.240720315135302, 5.023843513242772),
+        (22.928075739014545, 7.092484959872149),
+        (20.859434292385167, 13.779840383751392),
+        (13.21674237938032, 11.415678730460675),
+    ];
+    let obstacle = [
+        (22.632555532353205, 8.047821448997755),
+        (27.409237977981235, 9.525422482304453),
+        (26.522677357997217, 12.39143194968127),
+        (21.745994912369188, 10.913830916374572),
+    ]
+    .map(Point::from);
+    let mut live = LiveMesh::new(Subdivision::polygon(&quad.map(Point::from)).unwrap()).unwrap();
+    live.insert_obstacle(&obstacle).unwrap();
+    let near = live.mesh().nearest_point(obstacle[1]).expect("some face is free");
+    assert!(near.distance <= distance(obstacle[1], obstacle[0]) + 1e-12, "{near:?}");
+    assert!(live.mesh().place_in(near.place.face, near.place.point).is_ok(), "{near:?}");
+}
+
 fn distance_to([a, b, c]: [Point; 3], p: Point) -> f64 {
     let inside = [(a, b), (b, c), (c, a)].into_iter().all(|(a, b)| orientation(a, b, p).is_ge());
     if inside {

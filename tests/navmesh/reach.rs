@@ -8,6 +8,71 @@ use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 use dcel_kit::{FaceId, FaceMap, VertexId};
 
+/// On lines of which the points lie beside each other by rounding, a part of a side may be in sight that is a single point
+/// of doubles.
+#[test]
+fn the_field_far_from_the_origin_has_the_lengths_of_the_paths() {
+    let mut planner = Planner::new();
+    let mut reached = 0;
+    for seed in 0..120 {
+        let mut map = Map::random(seed, 2 + seed as usize % 4, 0.75, 0.0);
+        // Tenths, as they are written in decimals, on lines that are neither level nor upright.
+        let [dx, dy] = [1.0, 3.0].map(|k| k + (seed % 5) as f64);
+        let place = |p: &Point| Point::new((8.0 * p.x - p.y * dx) * 0.1 + 100.0, (8.0 * p.y + p.x * dy) * 0.1 - 36.0);
+        map.points = map.points.iter().map(place).collect();
+        let mesh = map.mesh();
+        let corners: Vec<VertexId> = map.triangles.iter().flatten().map(|&v| VertexId::new(v)).collect();
+        let start = corners
+            .iter()
+            .cycle()
+            .skip(seed as usize)
+            .take(corners.len())
+            .find_map(|&v| mesh.place(mesh.point(v)).ok());
+        let Some(start) = start else { continue };
+        let field = planner.distance_field(&mesh, &start, f64::INFINITY);
+        for v in corners {
+            // At a double corner the nearer of its wedges counts.
+            let places = mesh.places(mesh.point(v)).expect("a corner");
+            let paths = places.iter().filter_map(|goal| planner.route(&mesh, PathAlgorithm::Exact, &start, goal).ok());
+            let least = paths.map(|path| path.length).min_by(f64::total_cmp);
+            match (field.distance(v), least) {
+                (Some(x), Some(y)) => assert!(is_close(x, y), "seed {seed}: {v}: {x} but {y}"),
+                (x, y) => assert_eq!(x, y, "seed {seed}: {v}"),
+            }
+            reached += usize::from(least.is_some());
+        }
+    }
+    assert!(reached > 1000, "{reached}");
+}
+
+/// Four quads of which three corners lie on one line but for rounding.
+#[test]
+fn the_field_goes_round_corners_in_a_row() {
+    let points = [
+        (100.0, -36.3),
+        (100.9, -36.2),
+        (100.8, -35.5),
+        (100.0, -35.3),
+        (100.9, -34.6),
+        (100.0, -34.6),
+        (101.6, -35.4),
+        (101.5, -34.6),
+        (102.4, -35.3),
+        (102.4, -34.6),
+    ]
+    .map(Point::from);
+    let mut quads = PolygonList::new();
+    [[0, 1, 2, 3], [3, 2, 4, 5], [2, 6, 7, 4], [6, 8, 9, 7]].iter().for_each(|quad| quads.push_face(quad));
+    let mesh = NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &quads).unwrap()).unwrap();
+    let mut planner = Planner::new();
+    let field = planner.distance_field(&mesh, &mesh.place(points[8]).unwrap(), f64::INFINITY);
+    for (v, &goal) in points.iter().enumerate() {
+        let path = planner.route_between(&mesh, PathAlgorithm::Exact, points[8], goal).expect("one floor");
+        let length = field.distance(VertexId::new(v as u32)).expect("in reach");
+        assert!(is_close(length, path.length), "v{v}: {length} but {}", path.length);
+    }
+}
+
 #[test]
 fn the_field_has_the_length_of_the_shortest_way_to_every_vertex() {
     let mut planner = Planner::new();

@@ -24,7 +24,7 @@ use std::io::Write;
 /// From a start where holes touch, or on a wall, the nearest of its sides
 /// counts. With --cost: how much it costs to get there, by
 /// paths that pass the sides of faces at their ends and some points between: never less than the least
-/// cost, and a few per cent more at most where costs are between 1 and 20. Thin dear faces among
+/// cost, and seldom more than it by a tenth where costs are between 1 and 20. Thin dear faces among
 /// faces that cost nothing can make it more.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\

@@ -14,7 +14,8 @@
 //! between them is in the middle of one line, as it was given; where rounding has bent the line, too.
 //!
 //! Each obstacle knows its edges and faces, and every change is written down until the edit is kept: so an edit costs
-//! what it touches, however many obstacles there are.
+//! what it touches, however many obstacles there are. Obstacles over each other are listed one by one at each edge and
+//! face: where one is split, so is its list.
 
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
@@ -65,7 +66,9 @@ pub(super) struct Obstacle {
 enum Before {
     Piece(EdgeId, Option<EdgeId>),
     Borders(EdgeId, BTreeSet<SideOf>),
+    Border(EdgeId, SideOf, bool),
     Covers(FaceId, BTreeSet<ObstacleId>),
+    Cover(FaceId, ObstacleId, bool),
     Area(FaceId, Option<u32>),
 }
 
@@ -232,15 +235,11 @@ impl Book {
     }
 
     pub(super) fn put_border(&mut self, e: EdgeId, side: SideOf) {
-        let mut owners = self.borders.get(&e).cloned().unwrap_or_default();
-        owners.insert(side);
-        self.set_borders(e, owners);
+        self.set_border(e, side, true);
     }
 
     pub(super) fn cover(&mut self, f: FaceId, obstacle: ObstacleId) {
-        let mut owners = self.covers.get(&f).cloned().unwrap_or_default();
-        owners.insert(obstacle);
-        self.set_covers(f, owners);
+        self.set_cover(f, obstacle, true);
     }
 
     /// The edges along the sides of an obstacle.
@@ -254,15 +253,12 @@ impl Book {
         let faces: Vec<FaceId> =
             self.obstacles.get(&obstacle).map_or_else(Vec::new, |o| o.faces.iter().copied().collect());
         for &e in &edges {
-            let mut owners = self.borders.get(&e).cloned().unwrap_or_default();
-            owners.retain(|&(owner, _)| owner != obstacle);
-            self.set_borders(e, owners);
+            let all = (obstacle, 0)..=(obstacle, usize::MAX);
+            let sides: Vec<SideOf> =
+                self.borders.get(&e).into_iter().flat_map(|owners| owners.range(all.clone())).copied().collect();
+            sides.into_iter().for_each(|side| self.set_border(e, side, false));
         }
-        for &f in &faces {
-            let mut owners = self.covers.get(&f).cloned().unwrap_or_default();
-            owners.remove(&obstacle);
-            self.set_covers(f, owners);
-        }
+        faces.iter().for_each(|&f| self.set_cover(f, obstacle, false));
         (edges, faces)
     }
 
@@ -330,7 +326,9 @@ impl Book {
             match before {
                 Before::Piece(e, first) => self.set_piece(e, first),
                 Before::Borders(e, owners) => self.set_borders(e, owners),
+                Before::Border(e, side, there) => self.set_border(e, side, there),
                 Before::Covers(f, owners) => self.set_covers(f, owners),
+                Before::Cover(f, obstacle, there) => self.set_cover(f, obstacle, there),
                 Before::Area(f, area) => self.set_area(f, area),
             }
             self.before.pop();
@@ -353,6 +351,24 @@ impl Book {
         self.before.push(Before::Area(f, before));
     }
 
+    /// Whether a side of an obstacle runs along an edge. O(log n), however many others do.
+    fn set_border(&mut self, e: EdgeId, side: SideOf, there: bool) {
+        let owners = self.borders.entry(e).or_default();
+        let was_there = if there { !owners.insert(side) } else { owners.remove(&side) };
+        // Another side of the obstacle may run along it, too.
+        let runs_along = owners.range((side.0, 0)..=(side.0, usize::MAX)).next().is_some();
+        if owners.is_empty() {
+            self.borders.remove(&e);
+        }
+        let edges = &mut self.obstacles.entry(side.0).or_default().edges;
+        if runs_along {
+            edges.insert(e);
+        } else {
+            edges.remove(&e);
+        }
+        self.before.push(Before::Border(e, side, was_there));
+    }
+
     fn set_borders(&mut self, e: EdgeId, owners: BTreeSet<SideOf>) {
         let before = self.borders.remove(&e).unwrap_or_default();
         for (obstacle, _) in &before {
@@ -365,6 +381,22 @@ impl Book {
             self.borders.insert(e, owners);
         }
         self.before.push(Before::Borders(e, before));
+    }
+
+    /// Whether an obstacle covers a face. O(log n), however many others do.
+    fn set_cover(&mut self, f: FaceId, obstacle: ObstacleId, there: bool) {
+        let owners = self.covers.entry(f).or_default();
+        let was_there = if there { !owners.insert(obstacle) } else { owners.remove(&obstacle) };
+        if owners.is_empty() {
+            self.covers.remove(&f);
+        }
+        let faces = &mut self.obstacles.entry(obstacle).or_default().faces;
+        if there {
+            faces.insert(f);
+        } else {
+            faces.remove(&f);
+        }
+        self.before.push(Before::Cover(f, obstacle, was_there));
     }
 
     fn set_covers(&mut self, f: FaceId, owners: BTreeSet<ObstacleId>) {

@@ -15,6 +15,7 @@ use super::book::Book;
 use super::cut::{changed_faces, make_convex, meets_inside, splits, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::marks::ID;
+use crate::navmesh::nearest::{closest_on, distance};
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;
 use crate::plane::{InsertVertexError, Location as Located, PlaneJournal, Point, Subdivision, rounding_room};
@@ -38,10 +39,11 @@ pub(super) fn cut_in(
     sides: &[[Point; 2]],
     rec: &mut PlaneJournal,
 ) -> Result<Inserted, ObstacleError> {
-    let mut crossed: BTreeSet<EdgeId> = sides.iter().flat_map(|&side| cuts_across(mesh, book, side)).collect();
+    let near = near(mesh, sides);
+    let mut crossed: BTreeSet<EdgeId> = sides.iter().flat_map(|&side| cuts_across(mesh, book, side, near)).collect();
     let (mark, first_change) = (rec.len(), rec.kernel().len());
     loop {
-        let inserted = cut_in_without(map, mesh, book, sides, &crossed, rec);
+        let inserted = cut_in_without(map, mesh, book, sides, (&crossed, near), rec);
         let mut met = split_cuts(book, &rec.kernel().changes()[first_change..]);
         let sides = inserted.iter().flat_map(|inserted| &inserted.sides);
         let along = sides.flat_map(|(half_edges, _)| half_edges.iter().map(|h| h.edge()));
@@ -54,18 +56,18 @@ pub(super) fn cut_in(
     }
 }
 
-/// Cuts the sides into the map without these cuts.
+/// Cuts the sides into the map without these cuts; what is `near` is led through one point.
 fn cut_in_without(
     map: &mut Subdivision,
     mesh: &NavMesh,
     book: &Book,
     sides: &[[Point; 2]],
-    crossed: &BTreeSet<EdgeId>,
+    (crossed, near): (&BTreeSet<EdgeId>, f64),
     rec: &mut PlaneJournal,
 ) -> Result<Inserted, ObstacleError> {
     let mut faces = BTreeSet::new();
     take_out(map, book, crossed.iter().copied(), &mut faces, rec)?;
-    let (whole_from, near) = (rec.kernel().len(), near(mesh, sides));
+    let whole_from = rec.kernel().len();
     let mut inserted = Inserted { sides: Vec::with_capacity(sides.len()) };
     let mut corners: Vec<VertexId> = Vec::with_capacity(sides.len() + 1);
     for (side, &[p, q]) in sides.iter().enumerate() {
@@ -98,9 +100,9 @@ fn added(change: &Change) -> Option<Element> {
     if let Change::Added { element, .. } = *change { Some(element) } else { None }
 }
 
-/// The cuts that a segment crosses, or on which an end of it lies, and those of the first map along which it runs.
-/// O(cells of the index along the segment).
-fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2]) -> Vec<EdgeId> {
+/// The cuts that a segment crosses, or that have an end of it on them or `near`: a line that this end is to be put on may lie
+/// behind them. And those of the first map along which it runs. O(cells of the index along the segment).
+fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2], near: f64) -> Vec<EdgeId> {
     let mut found = Vec::new();
     mesh.visit_faces_along([p, q], |f| {
         for s in mesh.range(f) {
@@ -111,7 +113,9 @@ fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2]) -> Vec<EdgeId> {
             }
             let (ends, e) = (mesh.ends(f, s).map(|v| mesh.point(v)), half_edge.edge());
             let meets = meets_inside([p, q], ends) || (book.is_first_cut(e) && runs_along([p, q], ends));
-            if meets && book.is_cut(e) {
+            let passes = |end: Point| distance(end, closest_on(ends, end)) <= near;
+            let ends_beside = |end: Point| passes(end) && ends.iter().all(|&v| distance(end, v) > near);
+            if (meets || ends_beside(p) || ends_beside(q)) && book.is_cut(e) {
                 found.push(e);
             }
         }

@@ -226,6 +226,7 @@ impl LiveMesh {
     ///
     /// Besides, O(k) for each piece of the wall: borders of holes, of areas and of other obstacles cut it into pieces, and of
     /// each the face or hole in which it lies is looked at. So the cost is O(p k) for p pieces that lie in one hole of k sides.
+    /// And O(m) for each edge or face that is split where m obstacles lie over each other: they are listed at it one by one.
     ///
     /// # Errors
     /// [`ObstacleError`]; then nothing has changed.
@@ -280,6 +281,7 @@ impl LiveMesh {
         if corners.len() != 2 {
             Subdivision::polygon(corners)?;
         }
+        check_sides(&sides_of(corners))?;
         self.work = EditWork::default();
         self.take_out(obstacle)?;
         let moved = self.insert(Some(obstacle), corners);
@@ -332,14 +334,8 @@ impl LiveMesh {
     /// Puts in an obstacle, or a wall if it has two corners, under the given number or a new one.
     fn insert(&mut self, number: Option<ObstacleId>, corners: &[Point]) -> Result<ObstacleId, ObstacleError> {
         let covers = corners.len() > 2;
-        let next = corners.iter().cycle().skip(1);
-        let sides: Vec<[Point; 2]> = corners.iter().zip(next).map(|(&p, &q)| [p, q]).collect();
-        let sides = if covers { &sides[..] } else { &sides[..1] };
-        for (side, [p, q]) in sides.iter().enumerate() {
-            let checked = p.check().and(q.check()).map_err(InsertSegmentError::from);
-            let checked = if p == q { Err(InsertSegmentError::ZeroLength { at: *p }) } else { checked };
-            checked.map_err(|error| ObstacleError::Side { side, error })?;
-        }
+        let sides = &*sides_of(corners);
+        check_sides(sides)?;
         let mut journal = Journal::new();
         let Self { map, mesh, book, .. } = self;
         let inserted = map.all_or_nothing(&mut journal, |map, rec| insert::cut_in(map, mesh, book, sides, rec))?;
@@ -373,6 +369,7 @@ impl LiveMesh {
         let (map, book) = (&self.map, &self.book);
         let is_hole = |f| map.has_face(f) && map.is_hole(f);
         let (mut faces, mut edges): (Vec<FaceId>, Vec<EdgeId>) = (faces.into_iter().collect(), edges.to_vec());
+        let mut vertices = Vec::new();
         for change in journal.changes() {
             if let Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } =
                 *change
@@ -391,6 +388,7 @@ impl LiveMesh {
                     faces.push(f);
                 }
                 Change::Removed { element: Element::Edge(e) } => edges.push(e),
+                Change::Added { element: Element::Vertex(v), .. } => vertices.push(v),
                 _ => {}
             }
         }
@@ -405,7 +403,7 @@ impl LiveMesh {
         let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.is_border(e))).collect();
         let faces: Vec<(FaceId, bool)> = faces.into_iter().map(|f| (f, self.book.is_covered(f))).collect();
         let before = self.mesh.counts();
-        self.mesh.read_again(map, &faces, &walls)?;
+        self.mesh.read_again(map, &faces, &walls, &vertices)?;
         let [cells, visited] = self.mesh.counts();
         self.work.links += journal.changes().len();
         self.work.faces += faces.len();
@@ -413,4 +411,20 @@ impl LiveMesh {
         self.work.visited += visited - before[1];
         Ok(())
     }
+}
+
+/// The sides of an obstacle with these corners, or the wall between two ends.
+fn sides_of(corners: &[Point]) -> Vec<[Point; 2]> {
+    let count = if corners.len() > 2 { corners.len() } else { 1 };
+    corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&p, &q)| [p, q]).take(count).collect()
+}
+
+/// Refuses coordinates that no point of a map may have, and sides without length.
+fn check_sides(sides: &[[Point; 2]]) -> Result<(), ObstacleError> {
+    for (side, &[p, q]) in sides.iter().enumerate() {
+        let checked = p.check().and(q.check()).map_err(InsertSegmentError::from);
+        let checked = if p == q { Err(InsertSegmentError::ZeroLength { at: p }) } else { checked };
+        checked.map_err(|error| ObstacleError::Side { side, error })?;
+    }
+    Ok(())
 }

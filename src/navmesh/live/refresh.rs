@@ -39,13 +39,15 @@ impl NavMesh {
     }
 
     /// Reads faces anew from the map they come from, after edits there that concern no others; those that have gone are
-    /// among them. Says of each whether it is blocked, and of edges whether they are walls. Cost: as for
+    /// among them. Says of each whether it is blocked, of edges whether they are walls, and which vertices are new: some are
+    /// in holes only. Cost: as for
     /// [`block`](Self::block) of all of them.
     pub(super) fn read_again(
         &mut self,
         map: &Subdivision,
         faces: &[(FaceId, bool)],
         walls: &[(EdgeId, bool)],
+        vertices: &[VertexId],
     ) -> Result<(), NavMeshError> {
         if map.vertex_bound() >= MOST || map.half_edge_bound() >= MOST || map.face_bound() >= MOST {
             return Err(NavMeshError::TooMany);
@@ -53,6 +55,7 @@ impl NavMesh {
         let mut result = Ok(());
         let ids: Vec<FaceId> = faces.iter().map(|&(f, _)| f).collect();
         let mut corners: BTreeSet<VertexId> = ids.iter().flat_map(|&f| self.corners(f)).collect();
+        corners.extend(vertices);
         let mut gone = Vec::new();
         ids.iter().filter(|&&f| self.has_face(f)).for_each(|&f| self.grid.cells_of(self, f, &mut gone));
         self.change(&ids, |mesh| {
