@@ -17,9 +17,11 @@
 //!   dashes.rs      How much of a line its dashes draw
 //!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
+//!   ends.rs        Where lines end
 //!   error.rs       Why a file cannot be compared, and where
 //!   filling.rs     What is seen of faces and holes
 //!   frame.rs       From the student's canvas to the coordinates of the reference
+//!   gaps.rs        Stretches of an edge that something covers
 //!   geometry.rs    Geometry that a style says
 //!   graph.rs       Vertices and edges of two drawings
 //!   halves.rs      Half-edges that are declared and drawn
@@ -66,7 +68,7 @@
 //!
 //! | drawn | by |
 //! |---|---|
-//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault, nor are lines in one direction that meet where no circle is, between two circles; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
 //! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
 //!
@@ -100,14 +102,16 @@
 //! # What has to be seen
 //!
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
-//! the small box of a label may hide its middle, and dashes as usual leave gaps: but no gap of more than 24 px that is
-//! a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and reaches no other vertex; it
-//! hides no more than half of an edge. A face is seen if it has another colour than the paper. So what is covered by
+//! what crosses it, as letters do, may hide stretches of up to a twentieth of the drawing, and the small box of a label
+//! with letters in it a longer one in its middle, in all up to 45 parts of 100; dashes as usual leave gaps: but no gap of
+//! more than 24 px that is a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and reaches no other vertex; it
+//! hides no more than half of an edge; its radius is not less than 0.1 px, and it reaches beyond the lines there or has
+//! clearly another colour. A face is seen if it has another colour than the paper. So what is covered by
 //! an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by dashes, without a
 //! size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below large letters or
 //! markers or letters that have the colour of what lies round them is told, with the reason. So is a line of less than
 //! 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px
-//! if it has no size. Of lines over each other it is enough that one shows: they may be cased or double. What the
+//! if it has no size; one narrower than a px is as pale as a screen shows it. Of lines over each other it is enough that one shows: they may be cased or double. What the
 //! reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! With [`Options::names`], a name is seen if its letters have another colour than what lies below them and than their
@@ -143,11 +147,13 @@ mod diff;
 mod diff_style;
 mod drawing;
 mod drawn;
+mod ends;
 mod error;
 mod eye;
 mod faces;
 mod filling;
 mod frame;
+mod gaps;
 mod geometry;
 mod graph;
 mod halves;

@@ -11,6 +11,7 @@
 
 use super::beside::{self, Area, Beside, Called, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
+use super::ends::{self, Circles};
 use super::error::{Fault, Problem};
 use super::frame::Frame;
 use super::graph::Graph;
@@ -184,8 +185,11 @@ impl Sketch {
             *known = (known.0.or(seen), known.1.max(radius));
         }
         let labels = labels::labels(drawing, frame, &snap, around.size());
+        let circles = dots.iter().filter(|(_, (seen, _))| seen.is_ok());
+        let circles = circles.map(|(&m, &(_, radius))| (snap.points[m as usize], radius * frame.scale()));
+        let mut circles = Circles::new(circles.collect(), tolerance);
         // All ends first: a line is cut only where something ends or stands.
-        let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
+        let mut lines: Vec<ends::Placed> = Vec::with_capacity(drawing.lines.len());
         for (i, line) in drawing.lines.iter().enumerate() {
             let ends = line.ends.map(|p| frame.apply(p));
             let is_tight = trim.tight.get(i).copied().unwrap_or(false);
@@ -200,9 +204,11 @@ impl Sketch {
             } else if labels.contains(&line.shape) {
                 beside.small += 1;
             } else {
-                lines.push((*line, ends));
+                let reach = line.half * frame.scale() + tolerance;
+                lines.push((*line, circles.reach(ends, reach, &snap, tolerance)));
             }
         }
+        ends::join(&mut lines, &snap, tolerance);
         let mut numbers: Vec<Option<[u32; 2]>> =
             lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
         let size = around.size();
@@ -216,7 +222,15 @@ impl Sketch {
                 Area::Bar(ends) => {
                     beside.bars.push(outline.coat);
                     lines.push((
-                        Line { ends, hidden: outline.hidden, aside: false, legend: 0, shape: u32::MAX, curved: false },
+                        Line {
+                            ends,
+                            half: 0.0,
+                            hidden: outline.hidden,
+                            aside: false,
+                            legend: 0,
+                            shape: u32::MAX,
+                            curved: false,
+                        },
                         ends,
                     ));
                     numbers.push(Some(ends.map(|p| snap.number(p))));
