@@ -131,8 +131,12 @@ pub(super) fn join(lines: &mut Vec<Placed>, snap: &Snap, tolerance: f64) {
             continue;
         }
         let is_straight = |w: &[Point]| distance(ends[0], w[0]) < distance(ends[0], w[1]);
-        let alike = |i: &usize| (lines[*i].0.aside, lines[*i].0.legend) == (lines[start].0.aside, lines[start].0.legend);
-        if middles.iter().all(|&p| lies_on(p, ends, tolerance)) && middles.windows(2).all(is_straight) && parts.iter().all(alike) {
+        let alike =
+            |i: &usize| (lines[*i].0.aside, lines[*i].0.legend) == (lines[start].0.aside, lines[start].0.legend);
+        if middles.iter().all(|&p| lies_on(p, ends, tolerance))
+            && middles.windows(2).all(is_straight)
+            && parts.iter().all(alike)
+        {
             parts[1..].iter().for_each(|&i| gone[i] = true);
             number[start] = [None; 2];
             lines[start].1 = ends;

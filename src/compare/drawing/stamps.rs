@@ -93,7 +93,8 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
     let radii = |vertices: &[Placed]| vertices.iter().map(|stamp| stamp.radius).collect();
     let at_ends = usual(radii(&vertices));
     vertices.retain(|stamp| at_ends.is_some_and(|usual| (stamp.radius - usual).abs() <= FIT * usual));
-    vertices.extend(strays(drawing, &found, &vertices, coats, |p| firm.near(p, reach).or(dots.near(p, reach)).is_none()));
+    vertices
+        .extend(strays(drawing, &found, &vertices, coats, |p| firm.near(p, reach).or(dots.near(p, reach)).is_none()));
     vertices.sort_by_key(|stamp| stamp.shape);
     let gone: Vec<u32> = vertices.iter().map(|stamp| stamp.shape).collect();
     let stays = |shape: u32| gone.binary_search(&shape).is_err();
