@@ -12,7 +12,7 @@ use crate::plane::Point;
 use std::collections::BTreeMap;
 
 /// Circles looked at for all ends; what takes more stays as it is.
-const WORK: usize = 5_000_000;
+const WORK: usize = 20_000_000;
 /// How far beside the middle of its circle a line may point, in tolerances.
 const ASIDE: f64 = 4.0;
 /// So many parts an edge may have.
