@@ -1,12 +1,10 @@
-//! Where lines end: at the rim of a circle, and in the middle of a straight edge.
+//! Where lines end: at the middle of a circle, or at its rim.
 //!
 //! ```text
 //!   (●)────────(●)     a line that ends within or at the rim of a circle and points to its middle ends at that vertex
-//!    ●────┼─────●      two lines in one direction that meet where no circle is are one line
 //! ```
 
-use super::drawing::Line;
-use super::pairing::{Places, distance, lies_on};
+use super::pairing::distance;
 use super::snap::Snap;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -15,11 +13,6 @@ use std::collections::BTreeMap;
 const WORK: usize = 20_000_000;
 /// How far beside the middle of its circle a line may point, in tolerances.
 const ASIDE: f64 = 4.0;
-/// So many parts an edge may have.
-const PARTS: usize = 64;
-
-/// A line and its ends in the coordinates of the reference.
-pub(super) type Placed = (Line, [Point; 2]);
 
 /// The middles of circles, and how far they reach.
 pub(super) struct Circles {
@@ -87,61 +80,4 @@ impl Circles {
         }
         found
     }
-}
-
-/// Joins lines that are parts of one straight edge from circle to circle: those that meet where nothing else ends, is
-/// drawn or expected. `snap` knows the points of the reference and the circles. O(n log n).
-pub(super) fn join(lines: &mut Vec<Placed>, snap: &Snap, tolerance: f64) {
-    let mut places = Places::new(4.0 * tolerance);
-    let mut meeting: Vec<Vec<(usize, usize)>> = Vec::new();
-    let mut number = vec![[None; 2]; lines.len()];
-    for (i, (_, ends)) in lines.iter().enumerate().filter(|(_, (line, _))| line.hidden.is_none()) {
-        for (side, &end) in ends.iter().enumerate().filter(|(_, end)| !snap.is_known(**end)) {
-            let place = places.near_or_add(end, tolerance) as usize;
-            meeting.resize(meeting.len().max(place + 1), Vec::new());
-            meeting[place].push((i, side));
-            number[i][side] = Some(place);
-        }
-    }
-    let mut gone = vec![false; lines.len()];
-    for start in 0..lines.len() {
-        // From a circle on, over all places where just two lines meet.
-        let Some(side) = (0..2).find(|&side| number[start][side].is_none() && number[start][1 - side].is_some()) else {
-            continue;
-        };
-        if gone[start] || lines[start].0.hidden.is_some() {
-            continue;
-        }
-        let (mut parts, mut middles) = (vec![start], Vec::new());
-        let (mut line, mut far) = (start, 1 - side);
-        let last = loop {
-            let Some(place) = number[line][far] else { break Some(lines[line].1[far]) };
-            let &[one, two] = &meeting[place][..] else { break None };
-            let (next, near) = if one == (line, far) { two } else { one };
-            if parts.contains(&next) || parts.len() > PARTS {
-                break None;
-            }
-            middles.push(lines[line].1[far]);
-            parts.push(next);
-            (line, far) = (next, 1 - near);
-        };
-        let Some(last) = last else { continue };
-        let ends = [lines[start].1[side], last];
-        if ends.iter().any(|&p| snap.drawn(p).is_none()) {
-            continue;
-        }
-        let is_straight = |w: &[Point]| distance(ends[0], w[0]) < distance(ends[0], w[1]);
-        let alike =
-            |i: &usize| (lines[*i].0.aside, lines[*i].0.legend) == (lines[start].0.aside, lines[start].0.legend);
-        if middles.iter().all(|&p| lies_on(p, ends, tolerance))
-            && middles.windows(2).all(is_straight)
-            && parts.iter().all(alike)
-        {
-            parts[1..].iter().for_each(|&i| gone[i] = true);
-            number[start] = [None; 2];
-            lines[start].1 = ends;
-        }
-    }
-    let mut gone = gone.into_iter();
-    lines.retain(|_| !gone.next().unwrap_or(false));
 }

@@ -299,8 +299,8 @@ impl<'a> Eye<'a> {
             // A line has another colour than what lies on either side of it, and than the paper.
             let blank = self.blank();
             let differs = |all: [f64; 3]| {
-                let on_both = sides.iter().all(|side| contrast(all, side.ground) >= FAINT);
-                on_both && contrast(all, blank) >= FAINT
+                let on_both = sides.iter().all(|side| own.cover * contrast(all, side.ground) >= FAINT);
+                on_both && own.cover * contrast(all, blank) >= FAINT
             };
             let both = (sides.iter().any(|side| differs(side.all)), sides.iter().any(|side| side.alone));
             if both.0 >= seen {
@@ -328,7 +328,7 @@ impl<'a> Eye<'a> {
 
     /// The lines along this edge at a point.
     fn own(&mut self, p: Point, along: Point, tolerance: f64) -> Own {
-        let mut out = Own { coats: Vec::new(), letters: Vec::new(), halves: Vec::new() };
+        let mut out = Own { coats: Vec::new(), letters: Vec::new(), halves: Vec::new(), cover: 0.0 };
         for &level in &self.levels {
             for &(_, i) in entries(&self.cells, self.corner, level, p) {
                 self.work += 1;
@@ -340,9 +340,13 @@ impl<'a> Eye<'a> {
                         if skew <= 0.05 && super::pairing::lies_on(p, [*c, *d], 2.0 * tolerance) {
                             out.coats.push(i);
                             out.halves.push(*half);
+                            out.cover = out.cover.max(coat.cover);
                         }
                     }
-                    _ if self.bars.binary_search(&i).is_ok() && coat.covers(p).0 => out.coats.push(i),
+                    _ if self.bars.binary_search(&i).is_ok() && coat.covers(p).0 => {
+                        out.coats.push(i);
+                        out.cover = 1.0;
+                    }
                     _ => {}
                 }
             }
@@ -512,6 +516,8 @@ struct Own {
     coats: Vec<u32>,
     letters: Vec<u32>,
     halves: Vec<f64>,
+    /// How much of a px the widest is wide, if it is narrower.
+    cover: f64,
 }
 
 impl Own {

@@ -68,7 +68,7 @@
 //!
 //! | drawn | by |
 //! |---|---|
-//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault, nor are lines in one direction that meet where no circle is, between two circles; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
 //! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
 //!

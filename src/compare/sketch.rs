@@ -11,7 +11,7 @@
 
 use super::beside::{self, Area, Beside, Called, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
-use super::ends::{self, Circles};
+use super::ends::Circles;
 use super::error::{Fault, Problem};
 use super::frame::Frame;
 use super::graph::Graph;
@@ -189,7 +189,7 @@ impl Sketch {
         let circles = circles.map(|(&m, &(_, radius))| (snap.points[m as usize], radius * frame.scale()));
         let mut circles = Circles::new(circles.collect(), tolerance);
         // All ends first: a line is cut only where something ends or stands.
-        let mut lines: Vec<ends::Placed> = Vec::with_capacity(drawing.lines.len());
+        let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
         for (i, line) in drawing.lines.iter().enumerate() {
             let ends = line.ends.map(|p| frame.apply(p));
             let is_tight = trim.tight.get(i).copied().unwrap_or(false);
@@ -208,7 +208,6 @@ impl Sketch {
                 lines.push((*line, circles.reach(ends, reach, &snap, tolerance)));
             }
         }
-        ends::join(&mut lines, &snap, tolerance);
         let mut numbers: Vec<Option<[u32; 2]>> =
             lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
         let size = around.size();

@@ -159,9 +159,8 @@ impl<'a, 'i> Reader<'a, 'i> {
         let Some(&(first, _)) = points.first() else { return };
         let ink = &around.ink;
         let hidden = self.hidden_line(around);
-        let (half, (paint, opacity)) = (Self::half_width(around), ink.stroke());
-        // Of a line narrower than a px, a screen shows so much less.
-        let stroke = (paint, opacity * (2.0 * half * self.shown(around)).min(1.0));
+        let (half, stroke) = (Self::half_width(around), ink.stroke());
+        let cover = (2.0 * half * self.shown(around)).min(1.0);
         self.blank += usize::from(around.decorates && hidden.is_some() && (what == "line" || !ink.fills()));
         let is_mark = self.kit && node.attribute("class") == Some("dots");
         // A line much shorter than wide shows no more than its ends.
@@ -195,6 +194,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             if from != to && why.is_none() {
                 let part = around.part(if curved { Part::Other } else { Part::Line });
                 let coat = self.out.painting.add(Shape::Stroke([from, to], half), stroke, around.clip, part);
+                self.out.painting.coats[coat as usize].cover = cover;
                 if curved && around.decorates {
                     self.out.bends.push(coat);
                 }

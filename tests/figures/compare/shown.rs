@@ -133,30 +133,6 @@ fn a_line_that_ends_at_the_rim_of_a_circle_ends_at_its_vertex() {
 }
 
 #[test]
-fn halves_of_an_edge_are_one_edge_where_vertices_are_circles() {
-    let split = |at: &'static [f64], off: f64| {
-        move |i: usize, [[a, b], [c, d]]: [P; 2]| {
-            let inner = at.iter().map(|t| [a + t * (c - a), b + t * (d - b) + off]);
-            let points: Vec<P> = [[a, b]].into_iter().chain(inner).chain([[c, d]]).collect();
-            if i == 4 { points.windows(2).map(|w| edge(i, [w[0], w[1]])).collect() } else { edge(i, [[a, b], [c, d]]) }
-        }
-    };
-    same(&drawn(split(&[0.5], 0.0), vertex, ""));
-    same(&drawn(split(&[0.2, 0.5, 0.9], 0.0), vertex, ""));
-    says(&drawn(split(&[0.5], 0.0), vertex, &vertex([500.0, 300.0])), "is cut in two at (500, 300)");
-    let bent = judge(&with(""), &drawn(split(&[0.5], 2.0), vertex, ""));
-    assert!(bent.text().contains("a line ends at (500, 302), where there is no vertex"), "{}", bent.text());
-    // What the reference has there is missed, and without circles nothing says what is a vertex.
-    let more = drawn(split(&[0.5], 0.0), vertex, &vertex([500.0, 300.0]));
-    let answer = judge(&more, &drawn(split(&[0.5], 0.0), vertex, ""));
-    assert_eq!(answer.differences().len(), 1, "{}", answer.text());
-    assert!(answer.text().contains("vertex at (500, 300) is missing: no circle is drawn there"), "{}", answer.text());
-    let bare = |at| drawn(split(at, 0.0), |_| String::new(), "");
-    let answer = judge(&bare(&[]), &bare(&[0.5]));
-    assert!(answer.text().contains("is cut in two at (500, 300)"), "{}", answer.text());
-}
-
-#[test]
 fn a_curve_that_is_straight_but_for_rounded_numbers_is_a_line() {
     let curve = |off: f64| {
         move |_: usize, [[a, b], [c, d]]: [P; 2]| {
