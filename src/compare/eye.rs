@@ -12,6 +12,7 @@
 
 use super::beside::Beside;
 use super::cells::{cell, column, entries, level, pieces};
+use super::gaps::{Gap, Way};
 use super::ink::Hidden;
 use super::painting::{Coat, Mark, Painting, Part, Shape};
 use super::pairing::distance;
@@ -31,7 +32,7 @@ const ALONE: f64 = 0.2;
 /// The rim of a line shows beside a narrower one above if it is as wide as this part of the half line; so many are looked at.
 const RIM: f64 = 0.1;
 const RIMS: usize = 4;
-/// A gap that a label may make: at most so much of an edge, and so large a part of the drawing.
+/// Gaps that labels may make: at most so much of an edge, and by boxes of so large a part of the drawing.
 const GAP: f64 = 0.45;
 const LABEL: f64 = 0.2;
 /// Letters along an edge are a label if they are no higher than this part of the drawing.
@@ -42,6 +43,8 @@ const DISC: f64 = 0.12;
 const NAME: f64 = 6.0;
 /// So much of a circle has to be seen.
 const DOT: f64 = 0.2;
+/// So much contrast a circle needs that lies within a line.
+const CLEAR: f64 = 64.0;
 
 /// The eye on one painting.
 pub(super) struct Eye<'a> {
@@ -57,8 +60,10 @@ pub(super) struct Eye<'a> {
     paper: Vec<u32>,
     probes: usize,
     /// How large the drawing is.
-    span: f64,
-    work: usize,
+    pub(super) span: f64,
+    pub(super) work: usize,
+    /// What may be letters, by the middles of the boxes round it, from left to right; once it is asked for.
+    pub(super) inside: Option<Vec<(Point, u32)>>,
     /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
     pub(super) stack: Vec<u32>,
     pub(super) letters: Vec<u32>,
@@ -115,6 +120,7 @@ impl<'a> Eye<'a> {
             probes,
             span,
             work: 0,
+            inside: None,
             stack: Vec::new(),
             letters: Vec::new(),
         }
@@ -231,49 +237,33 @@ impl<'a> Eye<'a> {
     pub(super) fn edge(&mut self, [a, b]: [Point; 2], discs: [f64; 2], tolerance: f64) -> Result<(), Hidden> {
         let length = distance(a, b);
         let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
+        let way = Way { from: a, along, length, discs, tolerance };
         let mut marks = Vec::with_capacity(self.probes);
         let mut reasons = Vec::new();
-        let (mut gap_is_small, mut blotted) = (true, false);
+        let (mut gap_is_small, mut blotted, mut crossed) = (true, false, 0);
+        let mut last: Option<Gap> = None;
         for i in 0..self.probes {
             if self.is_tired() {
                 return Ok(());
             }
             let far = length * (i as f64 + 0.5) / self.probes as f64;
-            if far < discs[0] || length - far < discs[1] {
+            if !way.is_open(far) {
                 continue;
             }
-            let p = Point::new(a.x + far * along.x, a.y + far * along.y);
-            let mut own = self.own(p, along, tolerance);
-            let (mut seen, mut alone) = (false, false);
-            // Of lines over each other, each that shows is looked at: a cased line, or the two rims of a double one.
-            for off in own.offsets() {
-                // On both sides of the middle, where an area may begin: the colours with and without lines.
-                let points = [off, -off].map(|off| Point::new(p.x - off * along.y, p.y + off * along.x));
-                let mut sides = points.map(|p| self.side(&own, p));
-                if sides.iter().any(|side| side.has_letters) {
-                    own.letters = self.faded(points);
-                    sides = points.map(|p| self.side(&own, p));
-                }
-                // A line has another colour than what lies on either side of it, and than the paper.
-                let blank = self.blank();
-                let differs = |all: [f64; 3]| {
-                    let on_both = sides.iter().all(|side| contrast(all, side.ground) >= FAINT);
-                    on_both && contrast(all, blank) >= FAINT
-                };
-                let both = (sides.iter().any(|side| differs(side.all)), sides.iter().any(|side| side.alone));
-                if both.0 >= seen {
-                    (seen, alone) = both;
-                }
-                if seen && alone {
-                    break;
-                }
-            }
-            marks.push((seen, alone));
+            let p = way.at(far);
+            let Glance { seen, alone, own } = self.glance(&way, far);
             blotted |= !seen && self.is_blotted(&own);
+            let mut is_open = seen;
             if !(seen && alone) {
-                reasons.push(self.reason(&own, p));
-                gap_is_small &= seen || self.is_small(&own, p);
+                let why = self.reason(&own, p);
+                reasons.push(why);
+                if !seen && self.is_short_gap(&way, far, why, &mut last) {
+                    (crossed, is_open) = (crossed + 1, true);
+                } else {
+                    gap_is_small &= seen || self.is_small(&own, p);
+                }
             }
+            marks.push((seen, alone, is_open));
         }
         let part = |count: usize| count as f64 / marks.len().max(1) as f64;
         let seen = part(marks.iter().filter(|mark| mark.0).count());
@@ -281,14 +271,46 @@ impl<'a> Eye<'a> {
         if marks.is_empty() {
             return Err(Hidden::Ends);
         }
-        let open = [marks.first(), marks.last()].iter().flatten().all(|mark| mark.0);
-        let labelled = gap_is_small && open && seen >= 1.0 - GAP;
-        if (seen >= SEEN || labelled) && alone >= ALONE && !blotted {
+        let open = [marks.first(), marks.last()].iter().flatten().all(|mark| mark.2);
+        let labelled = gap_is_small && open;
+        let enough = seen >= SEEN || seen >= 1.0 - GAP && (labelled || seen + part(crossed) >= SEEN);
+        if enough && alone >= ALONE && !blotted {
             return Ok(());
         }
         reasons.sort_unstable();
         let count = |why: &Hidden| reasons.iter().filter(|other| *other == why).count();
         Err(reasons.iter().copied().max_by_key(|why| (count(why), std::cmp::Reverse(*why))).unwrap_or(Hidden::Ground))
+    }
+
+    /// What is seen of an edge so far from its start.
+    pub(super) fn glance(&mut self, way: &Way, far: f64) -> Glance {
+        let (p, along) = (way.at(far), way.along);
+        let mut own = self.own(p, along, way.tolerance);
+        let (mut seen, mut alone) = (false, false);
+        // Of lines over each other, each that shows is looked at: a cased line, or the two rims of a double one.
+        for off in own.offsets() {
+            // On both sides of the middle, where an area may begin: the colours with and without lines.
+            let points = [off, -off].map(|off| Point::new(p.x - off * along.y, p.y + off * along.x));
+            let mut sides = points.map(|p| self.side(&own, p));
+            if sides.iter().any(|side| side.has_letters) {
+                own.letters = self.faded(points);
+                sides = points.map(|p| self.side(&own, p));
+            }
+            // A line has another colour than what lies on either side of it, and than the paper.
+            let blank = self.blank();
+            let differs = |all: [f64; 3]| {
+                let on_both = sides.iter().all(|side| own.cover * contrast(all, side.ground) >= FAINT);
+                on_both && own.cover * contrast(all, blank) >= FAINT
+            };
+            let both = (sides.iter().any(|side| differs(side.all)), sides.iter().any(|side| side.alone));
+            if both.0 >= seen {
+                (seen, alone) = both;
+            }
+            if seen && alone {
+                break;
+            }
+        }
+        Glance { seen, alone, own }
     }
 
     /// What is seen at a point on one side of the middle of an edge.
@@ -306,7 +328,7 @@ impl<'a> Eye<'a> {
 
     /// The lines along this edge at a point.
     fn own(&mut self, p: Point, along: Point, tolerance: f64) -> Own {
-        let mut out = Own { coats: Vec::new(), letters: Vec::new(), halves: Vec::new() };
+        let mut out = Own { coats: Vec::new(), letters: Vec::new(), halves: Vec::new(), cover: 0.0 };
         for &level in &self.levels {
             for &(_, i) in entries(&self.cells, self.corner, level, p) {
                 self.work += 1;
@@ -318,9 +340,13 @@ impl<'a> Eye<'a> {
                         if skew <= 0.05 && super::pairing::lies_on(p, [*c, *d], 2.0 * tolerance) {
                             out.coats.push(i);
                             out.halves.push(*half);
+                            out.cover = out.cover.max(coat.cover);
                         }
                     }
-                    _ if self.bars.binary_search(&i).is_ok() && coat.covers(p).0 => out.coats.push(i),
+                    _ if self.bars.binary_search(&i).is_ok() && coat.covers(p).0 => {
+                        out.coats.push(i);
+                        out.cover = 1.0;
+                    }
                     _ => {}
                 }
             }
@@ -356,28 +382,36 @@ impl<'a> Eye<'a> {
         }
     }
 
-    /// Whether all that covers the lines of an edge at a point is small, as the box of a label is.
+    /// Whether all that covers the lines of an edge at a point is small: letters, or the box of a label.
     fn is_small(&mut self, own: &Own, p: Point) -> bool {
         let Some(&top) = own.coats.last() else { return false };
         self.look_below(&own.letters, p);
-        let mut above = self.stack.iter().filter(|&&i| i > top && self.painting.coats[i as usize].alpha > 0.2);
-        let small = |i: &u32| {
-            let coat = &self.painting.coats[*i as usize];
+        let painting = self.painting;
+        let above = self.stack.iter().filter(|&&i| i > top && painting.coats[i as usize].alpha > 0.2);
+        let above: Vec<u32> = above.copied().collect();
+        let mut small = |i: &u32| {
+            let coat = &painting.coats[*i as usize];
             let is_small = coat.diameter() <= LABEL * self.span;
             match coat.part {
-                Part::Area | Part::Other => is_small,
+                Part::Area | Part::Other => is_small && self.holds_letters(*i),
                 Part::Mark(Mark::Letters) => is_small || coat.thickness() <= LETTERS * self.span,
                 _ => false,
             }
         };
-        let any = above.clone().next().is_some();
-        any && above.all(small)
+        !above.is_empty() && above.iter().all(&mut small)
     }
 
     /// Why the circles at a vertex are not seen, if that is so.
     pub(super) fn vertex(&mut self, centre: Point, radius: f64, tolerance: f64) -> Result<(), Hidden> {
         const ROUND: usize = 16;
         let (mut seen, mut looked, mut top, mut below) = (0, 0, None, false);
+        // A circle no wider than a line there is seen on it only if it has clearly another colour.
+        self.look(centre);
+        let is_wider = |&i: &u32| match &self.painting.coats[i as usize] {
+            Coat { shape: Shape::Stroke(_, half), part: Part::Line, .. } => *half >= radius,
+            _ => false,
+        };
+        let within = self.stack.iter().any(is_wider);
         // Where its colour is not that of the paper: points at which lines have it, too, and areas.
         let (mut swallowed, mut grounded, mut blank) = (0, 0, 0);
         let round = |part: f64, i: usize| {
@@ -399,11 +433,14 @@ impl<'a> Eye<'a> {
                 looked += usize::from(part < 0.9);
                 below |= owned.is_some();
                 let all = self.colour(|_, _| true);
-                let differs = contrast(all, self.colour(|_, coat| !is_own(coat))) >= FAINT;
+                let below = contrast(all, self.colour(|_, coat| !is_own(coat)));
+                let differs = below >= if within { CLEAR } else { FAINT };
                 if differs && contrast(all, self.blank()) >= FAINT {
                     seen += 1;
                 } else if let Some(&own) = owned {
-                    top = top.or(self.stack.last().filter(|&&last| last > own).copied());
+                    let mut above = self.stack.iter().copied().filter(|&i| i > own);
+                    let hides = |&i: &u32| !self.is_line(i) && self.painting.coats[i as usize].alpha > 0.5;
+                    top = top.or_else(|| above.clone().find(hides).or_else(|| above.next_back()));
                     match self.stack.iter().rev().find(|&&i| !is_own(&self.painting.coats[i as usize])) {
                         _ if contrast(all, self.blank()) < FAINT => blank += 1,
                         Some(&i) if self.is_line(i) => swallowed += 1,
@@ -467,11 +504,20 @@ impl<'a> Eye<'a> {
     }
 }
 
+/// What is seen of an edge at a point: whether its lines are, and whether they are seen as themselves.
+pub(super) struct Glance {
+    pub(super) seen: bool,
+    alone: bool,
+    own: Own,
+}
+
 /// The lines along an edge, sorted, and half their widths, sorted; the letters at a point of it that nobody can read.
 struct Own {
     coats: Vec<u32>,
     letters: Vec<u32>,
     halves: Vec<f64>,
+    /// How much of a px the widest is wide, if it is narrower.
+    cover: f64,
 }
 
 impl Own {

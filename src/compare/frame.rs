@@ -12,9 +12,9 @@
 use super::pairing::{Places, distance};
 use crate::figure::canvas::number::model;
 use crate::geometry::point;
-use crate::plane::Point;
+use crate::plane::{Point, convex_hull};
 
-/// Pairs are tried against every pair of at most this many points.
+/// Pairs are tried against every pair of at most this many points; at any angle, of the corners round more.
 const PAIRS: usize = 150;
 /// Maps of a kind that are tried in full.
 const TRIALS: usize = 400;
@@ -249,11 +249,18 @@ impl<'a> Search<'a> {
     /// angles first, mirrored ones last.
     fn angled(&self, drawn: &[Point], core: &[Point], enough: usize) -> Vec<Frame> {
         let mut found: Vec<Best> = Vec::new();
-        if self.expected.len().max(core.len()) > PAIRS {
+        // Of many points, those far apart are corners of the convex hull, however it is turned.
+        let outer = match self.expected.len().max(core.len()) {
+            ..=PAIRS => self.expected.to_vec(),
+            _ => convex_hull(self.expected)
+                .map(|hull| hull.into_iter().map(|i| self.expected[i as usize]).collect())
+                .unwrap_or_default(),
+        };
+        if outer.len() > PAIRS {
             return Vec::new();
         }
         for pair in far_pairs(core).into_iter().take(2) {
-            for (u, v) in self.expected.iter().flat_map(|&u| self.expected.iter().map(move |&v| (u, v))) {
+            for (u, v) in outer.iter().flat_map(|&u| outer.iter().map(move |&v| (u, v))) {
                 for mirrored in [false, true] {
                     let Some(map) = Frame::similar(pair, [u, v], mirrored) else { continue };
                     if self.is_promising(&map, core) {

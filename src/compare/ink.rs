@@ -25,9 +25,11 @@ use std::rc::Rc;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Hidden {
     NoStroke,
+    NoFill,
     NoWidth,
     NoSize,
     Thin,
+    Tiny,
     Transparent,
     Faint,
     Paper,
@@ -53,9 +55,11 @@ impl Hidden {
     pub(super) fn reason(self, several: bool) -> &'static str {
         let [one, many] = match self {
             Self::NoStroke => ["it has no stroke", "they have no stroke"],
+            Self::NoFill => ["it has no fill", "they have no fill"],
             Self::NoWidth => ["its stroke-width is 0", "their stroke-width is 0"],
             Self::NoSize => ["it has no size: its radius is 0 or less", "they have no size: their radius is 0 or less"],
             Self::Thin => ["its line is thinner than 0.1 px", "their lines are thinner than 0.1 px"],
+            Self::Tiny => ["its radius is less than 0.1 px", "their radius is less than 0.1 px"],
             Self::Transparent => ["its opacity is 0", "their opacity is 0"],
             Self::Faint => ["it is almost transparent", "they are almost transparent"],
             Self::Paper => ["it has the colour of the paper", "they have the colour of the paper"],
@@ -346,7 +350,7 @@ impl Ink {
     pub(super) fn hidden_fill(&self) -> Option<Hidden> {
         match self.fill() {
             _ if !self.visible => Some(Hidden::Switched),
-            (Paint::None, _) => Some(Hidden::NoStroke),
+            (Paint::None, _) => Some(Hidden::NoFill),
             (paint, opacity) => self.unpainted(paint, opacity),
         }
     }

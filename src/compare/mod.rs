@@ -17,9 +17,11 @@
 //!   dashes.rs      How much of a line its dashes draw
 //!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
+//!   ends.rs        Where lines end
 //!   error.rs       Why a file cannot be compared, and where
 //!   filling.rs     What is seen of faces and holes
 //!   frame.rs       From the student's canvas to the coordinates of the reference
+//!   gaps.rs        Stretches of an edge that something covers
 //!   geometry.rs    Geometry that a style says
 //!   graph.rs       Vertices and edges of two drawings
 //!   halves.rs      Half-edges that are declared and drawn
@@ -66,28 +68,28 @@
 //!
 //! | drawn | by |
 //! |---|---|
-//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
-//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws |
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
+//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
-//! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
-//! descendants, children, `@media screen` and `<style media="print">`, strings) are understood, and a `DOCTYPE` that
-//! declares nothing. A style also says where a circle, an ellipse, a rectangle or a picture lies and how large it is
-//! (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its paper. Passed over: texts and
-//! markers of ordinary size, labels in a `foreignObject`, curves, what is not displayed, an area round everything
-//! (paper) with the lines along its border, a rectangle round everything, filled or not, sharp or with round corners
-//! (in a reference: if vertices are circles there, and it has none), and the ticks beyond it, what is called legend or
-//! axis and stands clear of the structure, what lies behind axes of matplotlib, their spines and ticks, a legend in a free corner of it,
-//! without a box, or with one that lets edges shine through (one whose box hides something is told as that), small
-//! areas that touch no vertex (letters), rims of letters and boxes round them, animations of what is not read, and
-//! anything else with a note. A filled outline clear of the structure is no letter: it is a face too many. In the
-//! kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets (but not `--plain` ones, which
-//! say no more what they are) and other decoration are passed over, too, but the half-edges that are declared there
-//! have to be seen: each line on the left of its edge, about as far as others, with a barb behind its tip at the end
-//! of that line, on the side of its face or on both sides, and not much shorter than the reference draws it: three
-//! quarters of that, or as near to the vertices. y points down in SVG: write `height - y`. A face that a reference
-//! drawn by another program lists clockwise may run either way.
+//! curves that are straight (but for 0.05 px of a canvas of 600 px), `style` attributes and style sheets (names, `*`,
+//! ids, classes, attributes, `:not`, descendants, children, `@media screen` and `<style media="print">`, strings) are
+//! understood, and a `DOCTYPE` that declares nothing. A style also says where a circle, an ellipse, a rectangle or a
+//! picture lies and how large it is (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its
+//! paper. Passed over: texts and markers of ordinary size, labels in a `foreignObject`, curves, what is not displayed,
+//! an area round everything (paper) with the lines along its border, a rectangle round everything, filled or not, sharp
+//! or with round corners (in a reference: if vertices are circles there, and it has none), and the ticks beyond it,
+//! what is called legend or axis and stands clear of the structure, what lies behind axes of matplotlib, their spines
+//! and ticks, a legend in a free corner of it, without a box, or with one that lets edges shine through (one whose box
+//! hides something is told as that), small areas that touch no vertex (letters), rims of letters and boxes round them,
+//! animations of what is not read, and anything else with a note. A filled outline clear of the structure is no letter:
+//! it is a face too many. In the kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets
+//! (but not `--plain` ones, which say no more what they are) and other decoration are passed over, too, but the
+//! half-edges that are declared there have to be seen: each line on the left of its edge, about as far as others, with
+//! a barb behind its tip at the end of that line, on the side of its face or on both sides, and not much shorter than
+//! the reference draws it: three quarters of that, or as near to the vertices. y points down in SVG: write `height -
+//! y`. A face that a reference drawn by another program lists clockwise may run either way.
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
 //! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of
@@ -100,15 +102,18 @@
 //! # What has to be seen
 //!
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
-//! the small box of a label may hide its middle, and dashes as usual leave gaps: but no gap of more than 24 px that is
-//! a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and reaches no other vertex; it
-//! hides no more than half of an edge. A face is seen if it has another colour than the paper. So what is covered by
-//! an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by dashes, without a
-//! size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below large letters or
-//! markers or letters that have the colour of what lies round them is told, with the reason. So is a line of less than
-//! 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600 px, or 1200 px
-//! if it has no size. Of lines over each other it is enough that one shows: they may be cased or double. What the
-//! reference's own drawing hides nobody has to show. Colours themselves are not compared.
+//! what crosses it, as letters do, may hide stretches of up to a twentieth of the drawing, and the small box of a label
+//! with letters in it a longer one in its middle, in all up to 45 parts of 100; dashes as usual leave gaps: but no gap
+//! of more than 24 px that is a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and
+//! reaches no other vertex; it hides no more than half of an edge; its radius is not less than 0.1 px, and it reaches
+//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. So
+//! what is covered by an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by
+//! dashes, without a size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below
+//! large letters or markers or letters that have the colour of what lies round them is told, with the reason. So is a
+//! line of less than 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600
+//! px, or 1200 px if it has no size; one narrower than a px is as pale as a screen shows it. Of lines over each other
+//! it is enough that one shows: they may be cased or double. What the reference's own drawing hides nobody has to show.
+//! Colours themselves are not compared.
 //!
 //! With [`Options::names`], a name is seen if its letters have another colour than what lies below them and than their
 //! own halo (a rim of a fifth of their size or more), no area covers them, and they are at least 4 px high on that
@@ -143,11 +148,13 @@ mod diff;
 mod diff_style;
 mod drawing;
 mod drawn;
+mod ends;
 mod error;
 mod eye;
 mod faces;
 mod filling;
 mod frame;
+mod gaps;
 mod geometry;
 mod graph;
 mod halves;

@@ -205,6 +205,8 @@ pub(super) struct Coat {
     pub(super) shape: Shape,
     pub(super) colour: [f64; 3],
     pub(super) alpha: f64,
+    /// How much of a px a line is wide, if it is narrower.
+    pub(super) cover: f64,
     /// The innermost clip.
     pub(super) clip: Option<u32>,
     pub(super) part: Part,
@@ -309,7 +311,7 @@ impl Painting {
     /// Adds a coat and returns its number.
     pub(super) fn add(&mut self, shape: Shape, paint: (Paint, f64), clip: Option<u32>, part: Part) -> u32 {
         let (colour, alpha) = shade(paint);
-        self.coats.push(Coat { shape, colour, alpha, clip, part });
+        self.coats.push(Coat { shape, colour, alpha, cover: 1.0, clip, part });
         self.coats.len() as u32 - 1
     }
 

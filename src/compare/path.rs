@@ -6,7 +6,7 @@
 //!
 //! Curves become short pieces: an edge of a half-edge structure is never a curve, but a vertex can be a small round
 //! one, and an area with curved sides can hide what lies below it. What programs write as a curve and is straight, is a
-//! line: a curve whose control points lie on its chord, and an arc without a radius.
+//! line: a curve whose control points lie on its chord, but for rounded numbers, and an arc without a radius.
 
 use super::numbers::Reader;
 
@@ -16,6 +16,8 @@ const PIECES: u32 = 8;
 const TURN: f64 = 12.0;
 /// How far from its chord a control point of a straight curve may lie, as a part of the chord.
 const STRAIGHT: f64 = 2e-4;
+/// The same, as far as rounded numbers excuse it.
+const BENT: f64 = 0.01;
 
 /// A stretch of a path from one move to the next.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -28,8 +30,14 @@ pub(super) struct Subpath {
 
 /// The stretches of a path; what could not be read, if anything.
 pub(super) fn read(data: &str) -> Result<Vec<Subpath>, &str> {
+    read_within(data, 0.0)
+}
+
+/// The same; a curve is a line, too, if its control points lie no farther from its chord than `slack`, and no farther
+/// than a hundredth of the chord.
+pub(super) fn read_within(data: &str, slack: f64) -> Result<Vec<Subpath>, &str> {
     let mut reader = Reader::new(data);
-    let mut pen = Pen::default();
+    let mut pen = Pen { slack, ..Pen::default() };
     let mut command = None;
     while !reader.at_end() {
         let rest = reader.rest();
@@ -61,6 +69,8 @@ struct Pen {
     /// The last control point of a cubic and of a quadratic curve, which S and T mirror.
     cubic: Option<[f64; 2]>,
     quadratic: Option<[f64; 2]>,
+    /// How far from its chord a control point of a straight curve may lie at least.
+    slack: f64,
 }
 
 impl Pen {
@@ -100,7 +110,7 @@ impl Pen {
             }
             b'Q' => {
                 let (control, to) = (pair(reader)?, pair(reader)?);
-                if is_straight(at, [control, control], to) {
+                if is_straight(at, [control, control], to, self.slack) {
                     self.to(to, false)?;
                     self.quadratic = Some(control);
                 } else {
@@ -149,7 +159,7 @@ impl Pen {
 
     /// A curve, or a line if its control points say so.
     fn cubic(&mut self, first: [f64; 2], second: [f64; 2], to: [f64; 2]) -> Option<()> {
-        if is_straight(self.at, [first, second], to) {
+        if is_straight(self.at, [first, second], to, self.slack) {
             self.to(to, false)?;
         } else {
             self.pieces(first, second, to)?;
@@ -207,16 +217,17 @@ impl Pen {
     }
 }
 
-/// Whether the control points of a curve lie on its chord.
-fn is_straight(from: [f64; 2], controls: [[f64; 2]; 2], to: [f64; 2]) -> bool {
+/// Whether the control points of a curve lie on its chord, or nearly.
+fn is_straight(from: [f64; 2], controls: [[f64; 2]; 2], to: [f64; 2], slack: f64) -> bool {
     let chord = [to[0] - from[0], to[1] - from[1]];
     let squared = chord[0] * chord[0] + chord[1] * chord[1];
+    let length = squared.sqrt();
+    let most = (STRAIGHT * squared).max(slack.min(BENT * length) * length);
     let lies_on = |control: [f64; 2]| {
         let way = [control[0] - from[0], control[1] - from[1]];
         let along = way[0] * chord[0] + way[1] * chord[1];
         let off = way[0] * chord[1] - way[1] * chord[0];
-        let slack = STRAIGHT * squared;
-        off.abs() <= slack && (-slack..=squared + slack).contains(&along)
+        off.abs() <= most && (-most..=squared + most).contains(&along)
     };
     squared > 0.0 && controls.into_iter().all(lies_on)
 }

@@ -11,6 +11,7 @@
 
 use super::beside::{self, Area, Beside, Called, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
+use super::ends::Circles;
 use super::error::{Fault, Problem};
 use super::frame::Frame;
 use super::graph::Graph;
@@ -184,6 +185,9 @@ impl Sketch {
             *known = (known.0.or(seen), known.1.max(radius));
         }
         let labels = labels::labels(drawing, frame, &snap, around.size());
+        let circles = dots.iter().filter(|(_, (seen, _))| seen.is_ok());
+        let circles = circles.map(|(&m, &(_, radius))| (snap.points[m as usize], radius * frame.scale()));
+        let mut circles = Circles::new(circles.collect(), tolerance);
         // All ends first: a line is cut only where something ends or stands.
         let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
         for (i, line) in drawing.lines.iter().enumerate() {
@@ -200,7 +204,8 @@ impl Sketch {
             } else if labels.contains(&line.shape) {
                 beside.small += 1;
             } else {
-                lines.push((*line, ends));
+                let reach = line.half * frame.scale() + tolerance;
+                lines.push((*line, circles.reach(ends, reach, &snap, tolerance)));
             }
         }
         let mut numbers: Vec<Option<[u32; 2]>> =
@@ -216,7 +221,15 @@ impl Sketch {
                 Area::Bar(ends) => {
                     beside.bars.push(outline.coat);
                     lines.push((
-                        Line { ends, hidden: outline.hidden, aside: false, legend: 0, shape: u32::MAX, curved: false },
+                        Line {
+                            ends,
+                            half: 0.0,
+                            hidden: outline.hidden,
+                            aside: false,
+                            legend: 0,
+                            shape: u32::MAX,
+                            curved: false,
+                        },
                         ends,
                     ));
                     numbers.push(Some(ends.map(|p| snap.number(p))));

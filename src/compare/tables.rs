@@ -14,7 +14,7 @@ use super::frame::Search;
 use super::graph::Telling;
 use super::links::{Links, Reduced};
 use super::placed::Placed;
-use super::report::{Difference, Kind, Layer, Slot, Spot, Writing};
+use super::report::{Difference, Kind, Layer, Slot, Spot, Writing, counted};
 use super::{Options, faces, shape};
 use crate::figure::structure::skeleton::{half_edges, mutual_twin, vertices};
 use crate::ids::{Element, HalfEdgeId, VertexId};
@@ -79,7 +79,8 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
             broken.iter().take(INVARIANTS).map(|violation| format!("your structure breaks an invariant: {violation}")),
         );
         if broken.len() > INVARIANTS {
-            notes.push(format!("{} more broken invariants: dcel validate lists them", broken.len() - INVARIANTS));
+            let more = counted(broken.len() - INVARIANTS, "more broken invariant", "more broken invariants");
+            notes.push(format!("{more}: dcel validate lists them"));
         }
     }
     differences.sort_by_key(|difference| difference.kind);

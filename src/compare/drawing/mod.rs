@@ -65,6 +65,8 @@ const MATCHES: usize = 4_000_000;
 const FAR: f64 = 1e9;
 /// How far from where its marker stands a circle may lie that is a vertex, as a part of its radius.
 const OFF: f64 = 0.25;
+/// How far a curve that is straight may bend, as a part of the canvas: as far as a point may be from its place.
+const STRAIGHT: f64 = 0.05 / 600.0;
 /// How far what is behind it all reaches.
 const GROUND: f64 = 1e5;
 /// Words in ids and classes of what stands beside a drawing.
@@ -99,6 +101,8 @@ pub(in crate::compare) struct Dot {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(in crate::compare) struct Line {
     pub(in crate::compare) ends: [Point; 2],
+    /// Half its width.
+    pub(in crate::compare) half: f64,
     pub(in crate::compare) hidden: Option<Hidden>,
     pub(in crate::compare) aside: bool,
     pub(in crate::compare) legend: u32,
@@ -236,7 +240,8 @@ impl Drawing {
         let room = sheet.room;
         reader.unit = sheet.unit;
         reader.out.notes.extend(sheet.note.map(str::to_owned));
-        let mut around = Around { room, transform: sheet.stretch, ink: Ink::with(servers), ..Around::default() };
+        let slack = room.map_or(0.0, |[_, _, width, height]| STRAIGHT * width.max(height) * sheet.stretch.growth());
+        let mut around = Around { room, slack, transform: sheet.stretch, ink: Ink::with(servers), ..Around::default() };
         if let Some(paint) = sheet.ground {
             let wide = [[-GROUND, -GROUND], [GROUND, -GROUND], [GROUND, GROUND], [-GROUND, GROUND]];
             let area = Shape::Area(Area::new(&[wide.map(flipped).to_vec()], false));
@@ -286,6 +291,8 @@ pub(in crate::compare) struct Around {
     pub(in crate::compare) clip: Option<u32>,
     /// The room that percentages are parts of.
     pub(in crate::compare) room: Option<Room>,
+    /// How far on the canvas a point may be from its place, by the size of that; 0 if it has none.
+    pub(in crate::compare) slack: f64,
     pub(in crate::compare) aside: bool,
     /// Where it stands in axes as matplotlib draws them.
     pub(in crate::compare) axes: Option<axes::Axes>,

@@ -6,9 +6,9 @@
 //! ```
 
 use super::axes::Axes;
-use super::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
+use super::{Around, Dot, FAR, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
 use crate::compare::colour::Paint;
-use crate::compare::error::Fault;
+use crate::compare::error::{Fault, Problem};
 use crate::compare::geometry::path_data;
 use crate::compare::ink::Hidden;
 use crate::compare::painting::{Area, Disc, Part, Shape};
@@ -21,7 +21,8 @@ use roxmltree::Node;
 
 /// How far from its circle a round path may lie, as a part of the radius.
 const ROUND: f64 = 0.03;
-/// Of a line of fewer px than this, a screen shows less than a tenth of the ink.
+/// Of a line of fewer px than this, a screen shows less than a tenth of the ink; of a circle of such a radius, less than a
+/// twentieth.
 const THIN: f64 = 0.099;
 /// Gaps of dashes up to so many px are usual.
 const GAP: f64 = 24.0;
@@ -136,9 +137,13 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     /// Why a line of this style cannot be seen, wherever it lies.
     fn hidden_line(&self, around: &Around) -> Option<Hidden> {
-        let unit = if around.own.fixed_width { 1.0 } else { self.unit };
-        let is_thin = 2.0 * Self::half_width(around) * unit < THIN;
+        let is_thin = 2.0 * Self::half_width(around) * self.shown(around) < THIN;
         around.ink.hidden_stroke().or(is_thin.then_some(Hidden::Thin))
+    }
+
+    /// How many px a unit of the width of a line is shown as.
+    fn shown(&self, around: &Around) -> f64 {
+        if around.own.fixed_width { 1.0 } else { self.unit }
     }
 
     /// The lines of a polyline, which is the whole element or one part of it.
@@ -155,6 +160,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let ink = &around.ink;
         let hidden = self.hidden_line(around);
         let (half, stroke) = (Self::half_width(around), ink.stroke());
+        let cover = (2.0 * half * self.shown(around)).min(1.0);
         self.blank += usize::from(around.decorates && hidden.is_some() && (what == "line" || !ink.fills()));
         let is_mark = self.kit && node.attribute("class") == Some("dots");
         // A line much shorter than wide shows no more than its ends.
@@ -188,6 +194,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             if from != to && why.is_none() {
                 let part = around.part(if curved { Part::Other } else { Part::Line });
                 let coat = self.out.painting.add(Shape::Stroke([from, to], half), stroke, around.clip, part);
+                self.out.painting.coats[coat as usize].cover = cover;
                 if curved && around.decorates {
                     self.out.bends.push(coat);
                 }
@@ -200,6 +207,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 } else if is_line {
                     self.out.lines.push(Line {
                         ends: [from, to],
+                        half,
                         hidden: why,
                         aside: around.aside,
                         legend: around.legend,
@@ -227,14 +235,16 @@ impl<'a, 'i> Reader<'a, 'i> {
         self.out.dots.push(Dot { at, radius, hidden, vertex, aside: around.aside, legend: around.legend });
     }
 
-    /// Why a circle of this style cannot be seen, wherever it lies.
-    fn hidden_circle(&self, around: &Around) -> Option<Hidden> {
-        self.hidden_line(around).and(around.ink.hidden_fill())
+    /// Why a circle of this style that reaches so far cannot be seen, wherever it lies.
+    fn hidden_circle(&self, around: &Around, reach: f64) -> Option<Hidden> {
+        let hidden = self.hidden_line(around).and(around.ink.hidden_fill());
+        let is_tiny = reach > 0.0 && (reach + Self::rim(around)) * self.unit < THIN;
+        hidden.or(is_tiny.then_some(Hidden::Tiny))
     }
 
     /// A circle drawn by a path.
     fn round_path(&mut self, node: Node<'_, '_>, centre: Point, radius: f64, around: &Around) {
-        let hidden = self.hidden_circle(around);
+        let hidden = self.hidden_circle(around, radius);
         let one = 1.0 / radius;
         self.discs(Disc { centre, inverse: [one, 0.0, 0.0, one], from: 0.0, to: 1.0, reach: radius }, radius, around);
         let vertex = node.parent().and_then(declared::vertex);
@@ -273,8 +283,11 @@ impl<'a, 'i> Reader<'a, 'i> {
         self.count(1, offset)?;
         let axes = [around.transform.turn([radii[0], 0.0]), around.transform.turn([0.0, radii[1]])].map(flipped);
         let determinant = axes[0].x * axes[1].y - axes[1].x * axes[0].y;
-        let mut hidden = self.hidden_circle(around);
         let reach = axes[0].x.hypot(axes[0].y).max(axes[1].x.hypot(axes[1].y));
+        if reach > FAR {
+            return Err(Fault::at(offset, Problem::Coordinate { what: "circle" }));
+        }
+        let mut hidden = self.hidden_circle(around, reach);
         let radius = determinant.abs().sqrt();
         let around = &*around.of_circle(at, radius);
         if radius > 0.0 && determinant.is_finite() {
@@ -355,7 +368,8 @@ fn subpaths(node: Node<'_, '_>, around: &Around) -> Result<(Vec<Subpath>, &'stat
                 Some(text) => path_data(text).ok_or_else(|| word(node.range().start, text, "path(\"...\") or none"))?,
                 None => node.attribute("d").unwrap_or(""),
             };
-            (path::read(data).map_err(|rest| word(node.range().start, rest, "path data"))?, "path")
+            let slack = around.slack / around.transform.growth().max(f64::MIN_POSITIVE);
+            (path::read_within(data, slack).map_err(|rest| word(node.range().start, rest, "path data"))?, "path")
         }
         _ => (Vec::new(), "shape"),
     })

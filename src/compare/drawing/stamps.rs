@@ -6,12 +6,14 @@
 //!   ✕──────+      two short lines of one length that cross in their middles, there
 //! ```
 //!
-//! Each becomes a dot where it stands, as large as a circle in it. Only stamps of the size of most others at ends of lines
-//! count, and none where a circle is drawn.
+//! Each becomes a dot where it stands, as large as a circle in it, or of its area if it is no square. Only stamps of the
+//! size of most others at ends of lines count, those elsewhere that look like them, and none where a circle is drawn.
 
 use super::{Dot, Drawing, Line};
-use crate::compare::painting::{Area, Disc, Part, Shape};
+use crate::compare::eye::{FAINT, contrast};
+use crate::compare::painting::{Area, Coat, Disc, Part, Shape};
 use crate::compare::pairing::{Places, distance, distance_to, span};
+use crate::compare::rings;
 use crate::geometry::point;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -31,9 +33,14 @@ const STOUT: f64 = 0.3;
 /// The corners of a figure are no farther from its middle than this part of the largest size.
 const WIDE: f64 = 0.75;
 
+/// A square of the colour of circles that are vertices is one if it is about as large: of at least and at most so many
+/// radii.
+const ABOUT: [f64; 2] = [0.6, 1.5];
+
 /// A square, another figure or a cross.
 struct Stamp {
     shape: u32,
+    is_square: bool,
     /// Where it stands, or may stand.
     middles: [Point; 2],
     /// The radius of the circle that stands for it about each.
@@ -45,8 +52,8 @@ struct Stamp {
 
 impl Stamp {
     /// A stamp that can stand in one place only.
-    fn one(shape: u32, (at, radius): (Point, f64), is_hollow: bool) -> Self {
-        Self { shape, middles: [at; 2], radii: [radius; 2], is_hollow, corners: Vec::new() }
+    fn one(shape: u32, (at, radius): (Point, f64), is_hollow: bool, is_square: bool) -> Self {
+        Self { shape, is_square, middles: [at; 2], radii: [radius; 2], is_hollow, corners: Vec::new() }
     }
 }
 
@@ -83,8 +90,12 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
         Some(Placed { shape, at: stamp.middles[i], radius: stamp.radii[i], is_hollow })
     };
     let mut vertices: Vec<Placed> = found.iter().filter_map(place).collect();
-    let Some(usual) = usual(&vertices) else { return };
-    vertices.retain(|stamp| (stamp.radius - usual).abs() <= FIT * usual);
+    let radii = |vertices: &[Placed]| vertices.iter().map(|stamp| stamp.radius).collect();
+    let at_ends = usual(radii(&vertices));
+    vertices.retain(|stamp| at_ends.is_some_and(|usual| (stamp.radius - usual).abs() <= FIT * usual));
+    vertices
+        .extend(strays(drawing, &found, &vertices, coats, |p| firm.near(p, reach).or(dots.near(p, reach)).is_none()));
+    vertices.sort_by_key(|stamp| stamp.shape);
     let gone: Vec<u32> = vertices.iter().map(|stamp| stamp.shape).collect();
     let stays = |shape: u32| gone.binary_search(&shape).is_err();
     drawing.lines.retain(|line| stays(line.shape));
@@ -102,11 +113,53 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
     }
 }
 
-/// The size of most stamps.
-fn usual(found: &[Placed]) -> Option<f64> {
-    let mut sizes: Vec<f64> = found.iter().map(|stamp| stamp.radius).collect();
+/// The size of most.
+fn usual(mut sizes: Vec<f64>) -> Option<f64> {
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied()
+}
+
+/// Stamps elsewhere that look like vertices: like one of those at ends of lines, or as squares of the colour of the
+/// circles, and about as large. What is white paints no vertex on paper. `is_free` says where nothing ends or stands.
+fn strays(
+    drawing: &Drawing,
+    found: &[Stamp],
+    vertices: &[Placed],
+    coats: &[Range<u32>],
+    is_free: impl Fn(Point) -> bool,
+) -> Vec<Placed> {
+    let painting = &drawing.painting;
+    let coat = |shape: u32| {
+        let range = coats[shape as usize].clone();
+        painting.coats[range.start as usize..range.end as usize].first().filter(|coat| coat.alpha > 0.5)
+    };
+    let alike = |a: &Coat, b: &Coat| contrast(a.colour, b.colour) < FAINT;
+    let first = vertices.first();
+    let circles: Vec<f64> = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.radius).collect();
+    let circle = painting.coats.iter().find(|coat| coat.part == Part::Dot && coat.alpha > 0.5);
+    let circle = circle.zip(usual(circles)).filter(|_| first.is_none());
+    let is_vertex = |stamp: &&Stamp| {
+        let Some(own) = coat(stamp.shape) else { return false };
+        let radius = stamp.radii[0];
+        let is_like = first.is_some_and(|other| {
+            stamp.is_hollow == other.is_hollow
+                && (radius - other.radius).abs() <= FIT * other.radius
+                && coat(other.shape).is_some_and(|other| alike(own, other))
+        });
+        let is_about = circle.is_some_and(|(other, usual)| {
+            let about = ABOUT[0] * usual..=ABOUT[1] * usual;
+            stamp.is_square && !stamp.is_hollow && about.contains(&radius) && alike(own, other)
+        });
+        let is_alone = stamp.corners.iter().chain(&stamp.middles[..1]).all(|&p| is_free(p));
+        let is_blank = painting.is_blank(coats[stamp.shape as usize].start);
+        (is_like || is_about) && is_alone && !is_blank
+    };
+    let is_new = |stamp: &&Stamp| vertices.iter().all(|known| known.shape != stamp.shape);
+    let place = |stamp: &Stamp| {
+        let Stamp { shape, is_hollow, .. } = *stamp;
+        Placed { shape, at: stamp.middles[0], radius: stamp.radii[0], is_hollow }
+    };
+    found.iter().filter(is_vertex).filter(is_new).map(place).collect()
 }
 
 /// All squares, figures and crosses up to a size, by their shapes.
@@ -127,7 +180,7 @@ fn stamps(drawing: &Drawing, largest: f64) -> Vec<Stamp> {
     let stamp = |(shape, (lines, outlines)): (u32, (Vec<&Line>, Vec<&[Point]>))| {
         if let [a, b] = &lines[..] {
             let cross = cross(a.ends, b.ends).filter(|_| outlines.is_empty())?;
-            return Some(Stamp::one(shape, cross, false));
+            return Some(Stamp::one(shape, cross, false, false));
         }
         let is_closed = lines.iter().zip(lines.iter().cycle().skip(1)).all(|(a, b)| a.ends[1] == b.ends[0]);
         let corners: Vec<Point> = match &outlines[..] {
@@ -136,7 +189,7 @@ fn stamps(drawing: &Drawing, largest: f64) -> Vec<Stamp> {
             _ => return None,
         };
         let is_hollow = outlines.is_empty();
-        let square = square(&corners).map(|square| Stamp::one(shape, square, is_hollow));
+        let square = square(&corners).map(|square| Stamp::one(shape, square, is_hollow, true));
         square.or_else(|| figure(shape, corners, is_hollow, WIDE * largest))
     };
     let is_small = |stamp: &Stamp| stamp.radii.iter().all(|radius| *radius <= 0.5 * largest);
@@ -164,13 +217,15 @@ fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Op
         let sides = (0..count).map(|i| [corners[i], corners[(i + 1) % count]]);
         let near = sides.map(|side| distance_to(p, side)).fold(f64::INFINITY, f64::min);
         let far = corners.iter().map(|&q| distance(p, q)).fold(0.0, f64::max);
-        (near >= STOUT * far && far > 0.0 && far <= farthest && area.covers(p).0).then_some((p, near))
+        (near >= STOUT * far && far > 0.0 && far <= farthest && area.covers(p).0).then_some(p)
     };
+    // Of the circle that covers as much.
+    let radius = (0.5 * rings::area(corners.iter().copied()).abs() / std::f64::consts::PI).sqrt();
     // A triangle of a plotting program stands about the middle of its box.
     let mut found = [mean, middle(low, high)].into_iter().filter_map(inner);
     let first = found.next()?;
     let second = found.next().unwrap_or(first);
-    Some(Stamp { shape, middles: [first.0, second.0], radii: [first.1, second.1], is_hollow, corners })
+    Some(Stamp { shape, is_square: false, middles: [first, second], radii: [radius; 2], is_hollow, corners })
 }
 
 fn middle(p: Point, q: Point) -> Point {

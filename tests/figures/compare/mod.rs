@@ -15,6 +15,7 @@ mod pen;
 mod rewrites;
 mod seen;
 mod sheets;
+mod shown;
 mod square;
 mod tools;
 mod values;
