@@ -57,7 +57,7 @@ pub(super) struct Eye<'a> {
     paper: Vec<u32>,
     probes: usize,
     /// How large the drawing is.
-    span: f64,
+    pub(super) span: f64,
     work: usize,
     /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
     pub(super) stack: Vec<u32>,

@@ -9,8 +9,10 @@
 //! ```
 //!
 //! ```text
+//!   along.rs       Where lines and barbs lie along an edge
 //!   animations.rs  Elements that change something after a moment
 //!   areas.rs       Layer 3, faces
+//!   arrows.rs      How half-edges are drawn
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   cells.rs       Where coats lie
 //!   colour.rs      Colours as CSS writes them
@@ -39,6 +41,7 @@
 //!   served.rs      What url(#...) paints
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   spelling.rs    What a text says that stands at an element
 //!   standing.rs    Where names stand
 //!   strangers.rs   Faces without a partner, counted
 //!   strokes.rs     Whether lines of half-edges are seen
@@ -130,9 +133,11 @@
 //!   </svg>
 //! ```
 
+mod along;
 mod animations;
 mod answer;
 mod areas;
+mod arrows;
 mod beside;
 mod cells;
 mod colour;
@@ -173,6 +178,7 @@ mod servers;
 mod shape;
 mod sketch;
 mod snap;
+mod spelling;
 mod standing;
 mod strangers;
 mod strokes;
