@@ -20,6 +20,7 @@
 //!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
 //!   error.rs       Why a file cannot be compared, and where
+//!   exchanged.rs   Vertices at each other's places
 //!   filling.rs     What is seen of faces and holes
 //!   frame.rs       From the student's canvas to the coordinates of the reference
 //!   geometry.rs    Geometry that a style says
@@ -36,6 +37,7 @@
 //!   pairing.rs     Which point is which
 //!   path.rs        Path data as polylines
 //!   placed.rs      A declared structure with its vertices and edges by place
+//!   retraced.rs    Lines that are no edges, because decoration lies there
 //!   rings.rs       Closed outlines as cyclic sequences of points, in a form in which equal ones are equal
 //!   segments.rs    Lines cut at the points they pass, by a grid over the points
 //!   served.rs      What url(#...) paints
@@ -149,6 +151,7 @@ mod diff_style;
 mod drawing;
 mod drawn;
 mod error;
+mod exchanged;
 mod eye;
 mod faces;
 mod filling;
@@ -171,6 +174,7 @@ mod pairing;
 mod path;
 mod placed;
 mod report;
+mod retraced;
 mod rings;
 mod segments;
 mod served;
@@ -333,12 +337,13 @@ impl File {
 
     fn compare(&self, target: &Target<'_>, found: &Self, options: &Options) -> Result<Comparison, Fault> {
         let mut notes = found.drawing.notes.clone();
-        let mut seen = target.compare(&found.drawing, options)?;
+        let mut seen = target.compare(&retraced::without_decoration(&self.drawing, &found.drawing), options)?;
         notes.append(&mut seen.notes);
         let placed = self.table.as_ref().zip(found.table.as_ref());
         let placed = placed.map(|(mine, theirs)| [mine, theirs].map(Placed::new));
         let tables = [self.table.as_ref(), found.table.as_ref()];
         let drawings = [&self.drawing, &found.drawing];
+        seen.differences.extend(exchanged::compare(&found.drawing));
         seen.differences.extend(halves::compare(drawings, tables, placed.as_ref().map(<[_; 2]>::each_ref)));
         if let (true, [Some(mine), Some(theirs)]) = (options.names, tables) {
             seen.differences.extend(names::compare([(drawings[0], mine), (drawings[1], theirs)]));

@@ -62,7 +62,7 @@ fn names(drawing: &Drawing, table: &Table) -> Names {
     let around = Around::new(drawing, table, span);
     let texts = Texts::of(drawing);
     let mut out: BTreeMap<String, Drawn> = BTreeMap::new();
-    let mut right: BTreeMap<&str, u32> = BTreeMap::new();
+    let mut right: BTreeMap<String, u32> = BTreeMap::new();
     for name in drawing.names.iter().filter(|name| !name.element.is_empty()) {
         let is_read = !name.coats.is_empty() && name.coats.clone().all(|coat| eye.is_read(coat, &texts));
         let drawn = match (around.spelling(&name.element, &name.text), name.coats.start) {
@@ -71,13 +71,27 @@ fn names(drawing: &Drawing, table: &Table) -> Names {
             (Spelling::Nothing, _) => Drawn::Text(name.text.clone()),
             _ if !is_read => Drawn::Hidden,
             (_, coat) if around.is_at_place(&name.element, coat) => {
-                right.entry(&name.element).or_insert(coat);
+                right.entry(name.element.clone()).or_insert(coat);
                 Drawn::Right
             }
             _ => Drawn::Elsewhere,
         };
         if out.get(&name.element).is_none_or(|other| drawn.weight() > other.weight()) {
             out.insert(name.element.clone(), drawn);
+        }
+    }
+    // Loose names count where no text in a group says more.
+    for name in drawing.names.iter().filter(|name| name.element.is_empty() && !name.noted && !name.coats.is_empty()) {
+        for element in around.named(&name.text) {
+            let says_more = out.get(&element).is_some_and(|other| other.weight() > Drawn::Hidden.weight());
+            let coat = name.coats.start;
+            if says_more || !around.is_at_place(&element, coat) {
+                continue;
+            }
+            if name.coats.clone().all(|coat| eye.is_read(coat, &texts)) {
+                right.entry(element.clone()).or_insert(coat);
+                out.insert(element, Drawn::Right);
+            }
         }
     }
     let surplus = surplus(drawing, &around, &mut eye, &texts, &right);
