@@ -5,7 +5,8 @@
 //!   ──────────⇀   ▬▬▬▬▬▬▬▬▬▶                   with two strokes or one; all of it as one filled outline
 //! ```
 //!
-//! Straight strokes that continue each other are one shaft. Strokes that are no shaft and meet are a head.
+//! Straight strokes that continue each other are one shaft. Strokes that are no shaft and meet are a head, be they straight
+//! or bent.
 
 use super::along::{Along, Stroke};
 use super::drawing::{Drawing, Half};
@@ -40,7 +41,7 @@ pub(super) struct Head {
 /// All that is drawn of a half-edge.
 #[derive(Default)]
 pub(super) struct Arrow {
-    /// Whether it has straight lines, and curves.
+    /// Whether it has straight lines, and whether it has more of curves.
     pub(super) is_drawn: bool,
     pub(super) bends: bool,
     /// The shafts that run beside its edge.
@@ -53,9 +54,10 @@ impl Arrow {
     pub(super) fn read(drawing: &Drawing, half: &Half, along: Option<&Along>) -> Self {
         let coats = &drawing.painting.coats;
         let is_bent = |i: &u32| drawing.bends.binary_search(i).is_ok();
-        let is_straight = |i: &u32| matches!(coats[*i as usize].shape, Shape::Stroke(..)) && !is_bent(i);
-        let strokes = joined(coats, half.coats.clone().filter(is_straight));
-        let bends = half.coats.clone().any(|i| is_bent(&i));
+        let strokes = joined(coats, half.coats.clone().filter(|i| !is_bent(i)));
+        let curves = joined(coats, half.coats.clone().filter(is_bent));
+        let length = |strokes: &[Shaft]| strokes.iter().map(|s| distance(s.line.ends[0], s.line.ends[1])).sum::<f64>();
+        let bends = length(&curves) > length(&strokes);
         let mut out = Self { is_drawn: !strokes.is_empty(), bends, ..Self::default() };
         let Some(along) = along else { return out };
         let mut others = Vec::new();
@@ -78,13 +80,14 @@ impl Arrow {
                 out.heads.push(Head { corners: area.points().collect(), coats: vec![i], is_marker });
             }
         }
+        others.extend(curves);
         out.heads.extend(meeting(coats, others));
         out
     }
 
-    /// Whether a shaft is seen.
+    /// Whether half of a shaft is seen.
     pub(super) fn is_seen(&self, eye: &mut Eye<'_>, strays: &[Range<u32>]) -> bool {
-        self.shafts.iter().any(|shaft| shaft.coats.iter().all(|&i| eye.shows_along(i, shaft.line.ends, strays)))
+        self.shafts.iter().any(|shaft| eye.shows_along(&shaft.coats, shaft.line.ends, strays))
     }
 
     /// Whether a head is seen, on what lies below its own shafts.
@@ -116,7 +119,7 @@ impl Arrow {
     }
 }
 
-/// The straight strokes among some coats; those that continue each other are one.
+/// The strokes among some coats; those that continue each other straight on are one.
 fn joined(all: &[Coat], coats: impl Iterator<Item = u32>) -> Vec<Shaft> {
     let mut out: Vec<Shaft> = Vec::new();
     for i in coats {

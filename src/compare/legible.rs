@@ -4,7 +4,7 @@
 //!   h0     letters of another colour than their halo, and than what lies below them
 //!   ██     letters of the colour of their halo: a blot; so is a wide rim of their colour above them
 //!   ▫      letters of less than 4 px: no reader tells h0 from h8
-//!   h▉     letters of which more than half is covered, or over which others are written
+//!   h▉     letters of which more than half is covered, or at whose place others are written
 //! ```
 //!
 //! The smallest letters of the kit are 7.2 px high. On a page of 400 px, a figure that is 640 px wide shows them at 4.5
@@ -86,8 +86,8 @@ impl<'a> Texts<'a> {
 
 impl Eye<'_> {
     /// Whether letters can be read: they are large enough, have another colour than what lies below them and than their
-    /// halo, no more than half of them is covered, and nothing else is written over them.
-    pub(super) fn is_read(&mut self, i: u32, texts: &Texts<'_>) -> bool {
+    /// halo, and no more than half of them is covered.
+    pub(super) fn is_read(&mut self, i: u32) -> bool {
         let painting = self.painting;
         let coat = &painting.coats[i as usize];
         self.look(coat.middle());
@@ -109,23 +109,34 @@ impl Eye<'_> {
             Some(letters) => letters.contrast(ground),
             None => contrast(mixed(ground, (coat.colour, coat.alpha)), ground),
         };
-        let has_halo = lettering.is_some_and(Lettering::has_wide_rim);
-        let (mut seen, mut written) = (0, 0);
+        let mut seen = 0;
         for p in places(coat) {
             self.look(p);
             let above = self.stack.iter().filter(|&&j| j > i).map(|&j| 1.0 - painting.coats[j as usize].alpha);
             let shows = painting.cut_off(coat, p).is_none() && strength * above.product::<f64>() >= PALE;
             seen += usize::from(shows);
-            // Letters below are seen if there is no halo between, and they have another colour than the ground.
-            let hides = |&&j: &&u32| {
+        }
+        is_there && seen > SEEN
+    }
+
+    /// Whether another text is written at the place of letters: over them, or below them if they have no halo.
+    pub(super) fn is_written_over(&mut self, i: u32, texts: &Texts<'_>) -> bool {
+        let painting = self.painting;
+        let coat = &painting.coats[i as usize];
+        let has_halo = painting.lettering.get(&i).is_some_and(Lettering::has_wide_rim);
+        let mut written = 0;
+        for p in places(coat) {
+            self.look(p);
+            let ground = self.colour(|j, _| j < i);
+            let hides = |&j: &u32| {
                 let other = &painting.coats[j as usize];
                 let is_seen =
                     j > i || !has_halo && contrast(mixed(ground, (other.colour, other.alpha)), ground) >= PALE;
-                j != i && is_seen && other.alpha > 0.5 && !texts.are_same(i, j)
+                j != i && is_seen && other.alpha > 0.5 && is_copy([coat, other]) && !texts.are_same(i, j)
             };
-            written += usize::from(self.letters.iter().any(|j| hides(&j)));
+            written += usize::from(self.letters.iter().any(hides));
         }
-        is_there && seen > SEEN && written < WRITTEN
+        written >= WRITTEN
     }
 }
 

@@ -37,7 +37,7 @@
 //!   pairing.rs     Which point is which
 //!   path.rs        Path data as polylines
 //!   placed.rs      A declared structure with its vertices and edges by place
-//!   retraced.rs    Lines that are no edges, because decoration lies there
+//!   retraced.rs    Lines and circles where decoration lies
 //!   rings.rs       Closed outlines as cyclic sequences of points, in a form in which equal ones are equal
 //!   segments.rs    Lines cut at the points they pass, by a grid over the points
 //!   served.rs      What url(#...) paints
@@ -74,6 +74,7 @@
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
 //! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
+//! | half-edge | where one is declared: a straight line on the left of its edge with a head: a filled one, a marker, strokes that meet, straight or bent, or all of it as one filled outline; twice is no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
 //! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
@@ -90,8 +91,10 @@
 //! kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets (but not `--plain` ones, which
 //! say no more what they are) and other decoration are passed over, too, but the half-edges that are declared there
 //! have to be seen: each line on the left of its edge, about as far as others, with a barb behind its tip at the end
-//! of that line, on the side of its face or on both sides, and not much shorter than the reference draws it: three
-//! quarters of that, or as near to the vertices. y points down in SVG: write `height - y`. A face that a reference
+//! of that line (that of a marker may stand in its middle), on the side of its face or on both sides, none that points
+//! back, and not much shorter than the reference draws it: three quarters of that, or as near to the vertices. Vertices
+//! that are drawn at each other's places are named. A line that lies where decoration is drawn, in the same file or, with
+//! all circles at their places, in the reference, is no edge. y points down in SVG: write `height - y`. A face that a reference
 //! drawn by another program lists clockwise may run either way.
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
@@ -115,9 +118,13 @@
 //! if it has no size. Of lines over each other it is enough that one shows: they may be cased or double. What the
 //! reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
-//! With [`Options::names`], a name is seen if its letters have another colour than what lies below them and than their
-//! own halo (a rim of a fifth of their size or more), no area covers them, and they are at least 4 px high on that
-//! same drawing: the smallest ones of the kit are 7.2 px, 4.5 px where a figure of 640 px is shown 400 px wide, and
+//! With [`Options::names`], every name that the reference shows has to be drawn: by a number (`v0`, `v_0`, `v₀`), the name
+//! of a face, or both of them (`f1 Garden`); another text stands for none. It stands in the group of what it names or
+//! loose, at a vertex no further from its disc than four heights of letters or a tenth of the shortest edge there, or at
+//! the end of a line that leads from it. A name is seen if its letters have clearly another colour than what lies below
+//! them and than their own halo (a rim of a fifth of their size or more), less than half of them is covered, no other text
+//! is written at their place, and they are at least 4 px high on that same drawing, and not squeezed below that by a
+//! `textLength`: the smallest ones of the kit are 7.2 px, 4.5 px where a figure of 640 px is shown 400 px wide, and
 //! below 4 px digits cannot be told apart. A text that is as a whole the name of something else in the structure, or a
 //! name that is drawn already, is a name too many if it stands in the group of something that is declared, or within
 //! the structure or no more than four heights of letters beside it; not in tables, insets, legends, titles, captions

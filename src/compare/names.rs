@@ -64,17 +64,18 @@ fn names(drawing: &Drawing, table: &Table) -> Names {
     let mut out: BTreeMap<String, Drawn> = BTreeMap::new();
     let mut right: BTreeMap<String, u32> = BTreeMap::new();
     for name in drawing.names.iter().filter(|name| !name.element.is_empty()) {
-        let is_read = !name.coats.is_empty() && name.coats.clone().all(|coat| eye.is_read(coat, &texts));
+        let is_read = !name.coats.is_empty() && name.coats.clone().all(|coat| eye.is_read(coat));
         let drawn = match (around.spelling(&name.element, &name.text), name.coats.start) {
             (Spelling::Other, _) => Drawn::Says(name.text.clone()),
             (Spelling::Nothing, _) if !is_read => continue,
             (Spelling::Nothing, _) => Drawn::Text(name.text.clone()),
             _ if !is_read => Drawn::Hidden,
-            (_, coat) if around.is_at_place(&name.element, coat) => {
+            (_, coat) if !around.is_at_place(&name.element, coat) => Drawn::Elsewhere,
+            (_, coat) if eye.is_written_over(coat, &texts) => Drawn::Hidden,
+            (_, coat) => {
                 right.entry(name.element.clone()).or_insert(coat);
                 Drawn::Right
             }
-            _ => Drawn::Elsewhere,
         };
         if out.get(&name.element).is_none_or(|other| drawn.weight() > other.weight()) {
             out.insert(name.element.clone(), drawn);
@@ -88,13 +89,13 @@ fn names(drawing: &Drawing, table: &Table) -> Names {
             if says_more || !around.is_at_place(&element, coat) {
                 continue;
             }
-            if name.coats.clone().all(|coat| eye.is_read(coat, &texts)) {
+            if name.coats.clone().all(|coat| eye.is_read(coat)) && !eye.is_written_over(coat, &texts) {
                 right.entry(element.clone()).or_insert(coat);
                 out.insert(element, Drawn::Right);
             }
         }
     }
-    let surplus = surplus(drawing, &around, &mut eye, &texts, &right);
+    let surplus = surplus(drawing, &around, &mut eye, &right);
     Names { drawn: out, surplus }
 }
 

@@ -1,4 +1,5 @@
-//! Lines of a drawing that are no edges, because decoration lies there: half-edges, leader lines and rules.
+//! Lines and circles of a drawing that are no edges and no vertices, because decoration lies there: half-edges, leader
+//! lines with their roots, and rules.
 //!
 //! ```text
 //!   <g id="a-h3" ...><line .../></g>  <line .../>       a half-edge that is drawn once more outside of its group
@@ -9,7 +10,7 @@
 //! stays an edge.
 
 use super::beside::Extent;
-use super::drawing::Drawing;
+use super::drawing::{Dot, Drawing};
 use super::painting::{Part, Shape};
 use super::pairing::{Places, distance};
 use crate::plane::Point;
@@ -21,15 +22,17 @@ const NEAR: f64 = 1.0;
 const FOUND: f64 = 0.9;
 const PLACE: f64 = 2e-3;
 
-/// The student's drawing without lines that lie where a line of decoration is drawn: of its own, or of the reference's.
-/// O(n log n).
+/// The student's drawing without lines that lie where a line of decoration is drawn, of its own, or of the reference's, and
+/// without circles that lie where the reference's decoration has some. O(n log n).
 pub(super) fn without_decoration<'a>(reference: &Drawing, student: &'a Drawing) -> Cow<'a, Drawing> {
     let mut lines = decoration(student, &|p| p, 1.0);
+    let mut roots: Vec<Point> = Vec::new();
     if student.halves.is_empty()
         && let Some((scale, shift)) = placed(reference, student)
     {
         let place = move |p: Point| Point::new(scale * p.x + shift[0], scale * p.y + shift[1]);
         lines.extend(decoration(reference, &place, scale));
+        roots.extend(circles(reference).map(place));
     }
     let reach = lines.iter().map(|(_, width)| NEAR * width).fold(0.0, f64::max);
     let middles = Places::of(&lines.iter().map(|(ends, _)| middle(*ends)).collect::<Vec<_>>(), reach);
@@ -46,11 +49,14 @@ pub(super) fn without_decoration<'a>(reference: &Drawing, student: &'a Drawing) 
         let fits = |p: Point, q: Point| distance(a, p) <= slack && distance(b, q) <= slack;
         fits(ends[0], ends[1]) || fits(ends[1], ends[0])
     };
-    if lines.is_empty() || !student.lines.iter().any(|line| is_decoration(line.ends)) {
+    let roots = Places::of(&roots, near);
+    let is_root = |dot: &Dot| roots.near(dot.at, near).is_some();
+    if !student.lines.iter().any(|line| is_decoration(line.ends)) && !student.dots.iter().any(is_root) {
         return Cow::Borrowed(student);
     }
     let mut out = student.clone();
     out.lines.retain(|line| !is_decoration(line.ends));
+    out.dots.retain(|dot| !is_root(dot));
     Cow::Owned(out)
 }
 
@@ -62,6 +68,14 @@ fn decoration(drawing: &Drawing, place: &dyn Fn(Point) -> Point, scale: f64) -> 
         _ => None,
     };
     others.filter_map(|coat| line(&coat.shape)).collect()
+}
+
+/// The middles of the circles of decoration.
+fn circles(drawing: &Drawing) -> impl Iterator<Item = Point> + '_ {
+    drawing.painting.coats.iter().filter_map(|coat| match &coat.shape {
+        Shape::Disc(disc) if coat.part == Part::Other => Some(disc.centre),
+        _ => None,
+    })
 }
 
 /// The scale and the shift from the reference's canvas to the student's, by the boxes round their circles.

@@ -22,12 +22,12 @@ impl Eye<'_> {
         };
         let mut lines = coats.filter_map(ends).peekable();
         let is_any = lines.peek().is_some();
-        if is_any { lines.any(|(i, ends)| self.shows_along(i, ends, strays)) } else { without }
+        if is_any { lines.any(|(i, ends)| self.shows_along(&[i], ends, strays)) } else { without }
     }
 
-    /// Whether a coat is seen at half of the points along a line.
-    pub(super) fn shows_along(&mut self, i: u32, [a, b]: [Point; 2], strays: &[Range<u32>]) -> bool {
-        let own = &self.painting.coats[i as usize];
+    /// Whether one of some coats is seen at half of the points along a line.
+    pub(super) fn shows_along(&mut self, coats: &[u32], [a, b]: [Point; 2], strays: &[Range<u32>]) -> bool {
+        let painting = self.painting;
         let is_stray = |j: u32| {
             let next = strays.partition_point(|range| range.start <= j);
             next > 0 && strays[next - 1].contains(&j)
@@ -39,8 +39,12 @@ impl Eye<'_> {
             }
             let t = (k as f64 + 0.5) / POINTS as f64;
             self.look(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
-            let goes_with = |j: u32, coat: &Coat| is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
-            seen += usize::from(self.differs(i, |j, coat| goes_with(j, coat) || is_again(own, coat)));
+            let is_seen = |&i: &u32| {
+                let own = &painting.coats[i as usize];
+                let goes_with = |j: u32, coat: &Coat| is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
+                self.differs(i, |j, coat| goes_with(j, coat) || is_again(own, coat))
+            };
+            seen += usize::from(coats.iter().any(is_seen));
         }
         2 * seen >= POINTS
     }

@@ -11,7 +11,7 @@
 use super::beside::Extent;
 use super::drawing::Drawing;
 use super::eye::Eye;
-use super::legible::{Texts, is_copy};
+use super::legible::is_copy;
 use super::standing::{Around, HEIGHTS};
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,7 +47,6 @@ pub(super) fn surplus(
     drawing: &Drawing,
     around: &Around<'_>,
     eye: &mut Eye<'_>,
-    texts: &Texts<'_>,
     right: &BTreeMap<String, u32>,
 ) -> BTreeSet<(Surplus, String)> {
     let mut out = BTreeSet::new();
@@ -76,7 +75,7 @@ pub(super) fn surplus(
         };
         // Where the only name is a wrong one, that is told already.
         let is_told = !element.is_empty() && !right.contains_key(element);
-        if !is_told && name.coats.clone().all(|coat| eye.is_read(coat, texts)) {
+        if !is_told && name.coats.clone().all(|coat| eye.is_read(coat)) {
             let text = if what == Surplus::Other { format!("{} at {element}", name.text) } else { name.text.clone() };
             out.insert((what, text));
         }

@@ -250,8 +250,9 @@ fn names_of_vertices_stand_near_them() {
     let lines: Vec<String> = reference().lines().map(str::to_owned).collect();
     let [x, y] = place(&lines[within(&lines, "v1", "<text")]);
     let led = changed(|lines| {
-        moved(lines, "v1", "<text", "translate(0 -130)");
-        let leader = format!("<line class=\"leader\" x1=\"{x}\" y1=\"{y}\" x2=\"{x}\" y2=\"{}\"/>", y - 122.0);
+        moved(lines, "v1", "<text", "translate(-60 -70)");
+        let [u, v] = [x - 54.0, y - 63.0];
+        let leader = format!("<line class=\"leader\" x1=\"{x}\" y1=\"{y}\" x2=\"{u}\" y2=\"{v}\"/>");
         let at = within(lines, "v1", "<text");
         lines.insert(at, leader);
     });
