@@ -53,9 +53,9 @@ impl Lettering {
         }
     }
 
-    /// Whether they have the colour of their own wide rim on this ground: nothing but a blot is seen.
-    fn is_blot(&self, ground: [f64; 3]) -> bool {
-        self.has_wide_rim() && self.contrast(ground) < FAINT
+    /// What is seen of letters of the colour of their own wide rim on this ground: nothing but a blot.
+    fn blot(&self, ground: [f64; 3]) -> Option<Shade> {
+        self.rim.as_ref().filter(|rim| rim.width >= WIDE && self.contrast(ground) < FAINT).map(|rim| rim.shade)
     }
 }
 
@@ -97,10 +97,9 @@ impl Eye<'_> {
         let is_there = self.letters.contains(&i) || self.stack.contains(&i);
         let mut ground = self.colour(|j, _| j < i);
         // A copy of the text below it is its halo, if it is a blot.
-        for &j in self.letters.iter().filter(|&&j| j < i) {
-            let below = &painting.coats[j as usize];
-            if is_copy([coat, below]) && painting.lettering.get(&j).is_some_and(|letters| letters.is_blot(ground)) {
-                ground = mixed(ground, (below.colour, below.alpha));
+        for &j in self.letters.iter().filter(|&&j| j < i && is_copy([coat, &painting.coats[j as usize]])) {
+            if let Some(halo) = painting.lettering.get(&j).and_then(|letters| letters.blot(ground)) {
+                ground = mixed(ground, halo);
             }
         }
         let lettering = painting.lettering.get(&i);
