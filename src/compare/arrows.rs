@@ -17,8 +17,8 @@ use crate::plane::Point;
 use std::ops::Range;
 
 /// A shaft is at least so many times as long as wide, if it is drawn as an area.
-const SLENDER: f64 = 2.0;
-/// The ends of such an outline: this part of its length. A head is so many times as wide as the other end.
+const SLENDER: f64 = 1.6;
+/// The tail of such an outline: this part of its length. A half with a head is so many times as wide as the other one.
 const END: f64 = 0.25;
 const WIDER: f64 = 1.3;
 /// Strokes of one shaft turn by less than this, as a part of their lengths.
@@ -178,9 +178,9 @@ fn outline(along: &Along, area: &Area) -> Option<(Stroke, Option<Vec<Point>>)> {
         let width = sides(&places)[1];
         (points, places, width)
     };
-    let (_, tail, narrow) = part(&|t| t <= END);
+    let (_, tail, _) = part(&|t| t <= END);
     let (front, _, broad) = part(&|t| t >= 0.5);
-    let (back, ..) = part(&|t| t <= 0.5);
+    let (back, _, narrow) = part(&|t| t <= 0.5);
     let across = tail.iter().map(|place| place[1]).sum::<f64>() / tail.len() as f64;
     let ends = [low, high].map(|t| along.point([t, across]));
     let head = if broad > WIDER * narrow { Some(front) } else { Some(back).filter(|_| narrow > WIDER * broad) };

@@ -61,6 +61,10 @@ const FORMS: [Form; 7] = [
         format!("<path class=\"sh\" d=\"M{}L{tip}L{outer}\"/>", arrow.at(arrow.start, 0.0, 0.0))
     }),
     ("outline", |arrow| {
+        let long = (arrow.end[0] - arrow.start[0]).hypot(arrow.end[1] - arrow.start[1]);
+        if long < 16.0 {
+            return arrow.line(" marker-end=\"url(#tip)\"");
+        }
         let tail = [0.8, -0.8].map(|a| arrow.at(arrow.start, 0.0, a));
         let head = [(-6.0, -0.8), (-6.0, -4.0), (0.0, 0.0), (-6.0, 4.0), (-6.0, 0.8)];
         let head = head.map(|(t, a)| arrow.at(arrow.end, t, a)).join(" ");
