@@ -53,6 +53,11 @@ pub(super) fn name<'n>(node: Node<'n, '_>) -> Option<&'n str> {
     node.attribute("id").map(last).filter(|name| declares && name.starts_with(['v', 'h', 'f']))
 }
 
+/// The name of the face of which an element of the kit holds the label, which stands outside of it.
+pub(super) fn labelled<'n>(node: Node<'n, '_>) -> Option<&'n str> {
+    node.attribute("id")?.strip_suffix("-label").map(last).filter(|name| name.parse::<FaceId>().is_ok())
+}
+
 /// Whether an element declares a half-edge.
 pub(super) fn is_half_edge(node: Node<'_, '_>) -> bool {
     POINTERS.iter().any(|&key| node.has_attribute(key))

@@ -8,6 +8,7 @@
 use super::links::Links;
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot};
+use super::spelling::unnumbered;
 use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin};
 use crate::geometry::grouping::Joined;
 use crate::ids::{Element, FaceId, HalfEdgeId};
@@ -195,7 +196,7 @@ fn isolated(
     }
 }
 
-/// Faces that are called differently.
+/// Faces that are called differently, their numbers in front of their names or behind left out.
 pub(super) fn names(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, out: &mut Vec<Difference>) {
     let mut pairing = Pairing::new(expected, found, links);
     for f in faces(expected.table) {
@@ -207,7 +208,11 @@ pub(super) fn names(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, ou
         if f != g {
             say(format!("face {f} is called {g}"));
         }
-        if mine != theirs {
+        let is_same = match (&mine, &theirs) {
+            (Some(a), Some(b)) => unnumbered(&f.to_string(), a) == unnumbered(&g.to_string(), b),
+            (a, b) => a == b,
+        };
+        if !is_same {
             let word =
                 |name: Option<String>| name.map_or_else(|| "without a name".to_owned(), |n| format!("named `{n}`"));
             say(format!("face {f} is {}; expected {}", word(theirs), word(mine)));

@@ -9,8 +9,10 @@
 //! ```
 //!
 //! ```text
+//!   along.rs       Where lines and barbs lie along an edge
 //!   animations.rs  Elements that change something after a moment
 //!   areas.rs       Layer 3, faces
+//!   arrows.rs      How half-edges are drawn
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   cells.rs       Where coats lie
 //!   colour.rs      Colours as CSS writes them
@@ -19,6 +21,7 @@
 //!   diff_style.rs  The style of the picture of differences
 //!   ends.rs        Where lines end
 //!   error.rs       Why a file cannot be compared, and where
+//!   exchanged.rs   Vertices at each other's places
 //!   filling.rs     What is seen of faces and holes
 //!   frame.rs       From the student's canvas to the coordinates of the reference
 //!   gaps.rs        Stretches of an edge that something covers
@@ -36,11 +39,13 @@
 //!   pairing.rs     Which point is which
 //!   path.rs        Path data as polylines
 //!   placed.rs      A declared structure with its vertices and edges by place
+//!   retraced.rs    Lines and circles where decoration lies
 //!   rings.rs       Closed outlines as cyclic sequences of points, in a form in which equal ones are equal
 //!   segments.rs    Lines cut at the points they pass, by a grid over the points
 //!   served.rs      What url(#...) paints
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   spelling.rs    What a text says that stands at an element
 //!   standing.rs    Where names stand
 //!   strangers.rs   Faces without a partner, counted
 //!   strokes.rs     Whether lines of half-edges are seen
@@ -71,6 +76,7 @@
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
 //! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
+//! | half-edge | where one is declared: a straight line on the left of its edge with a head: a filled one, a marker, strokes that meet, straight or bent, or all of it as one filled outline; twice is no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
 //! curves that are straight (but for 0.05 px of a canvas of 600 px), `style` attributes and style sheets (names, `*`,
@@ -87,9 +93,11 @@
 //! it is a face too many. In the kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets
 //! (but not `--plain` ones, which say no more what they are) and other decoration are passed over, too, but the
 //! half-edges that are declared there have to be seen: each line on the left of its edge, about as far as others, with
-//! a barb behind its tip at the end of that line, on the side of its face or on both sides, and not much shorter than
-//! the reference draws it: three quarters of that, or as near to the vertices. y points down in SVG: write `height -
-//! y`. A face that a reference drawn by another program lists clockwise may run either way.
+//! a barb behind its tip at the end of that line (that of a marker may stand in its middle), on the side of its face or
+//! on both sides, none that points back, and not much shorter than the reference draws it: three quarters of that, or as
+//! near to the vertices. Vertices that are drawn at each other's places are named. A line that lies where decoration is
+//! drawn, in the same file or, with all circles at their places, in the reference, is no edge. y points down in SVG:
+//! write `height - y`. A face that a reference drawn by another program lists clockwise may run either way.
 //!
 //! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is
 //! not understood what it fits or whether it applies (`@supports`, `@media (min-width: ...)`), an animation of
@@ -115,9 +123,13 @@
 //! it is enough that one shows: they may be cased or double. What the reference's own drawing hides nobody has to show.
 //! Colours themselves are not compared.
 //!
-//! With [`Options::names`], a name is seen if its letters have another colour than what lies below them and than their
-//! own halo (a rim of a fifth of their size or more), no area covers them, and they are at least 4 px high on that
-//! same drawing: the smallest ones of the kit are 7.2 px, 4.5 px where a figure of 640 px is shown 400 px wide, and
+//! With [`Options::names`], every name that the reference shows has to be drawn: by a number (`v0`, `v_0`, `v₀`), the name
+//! of a face, or both of them (`f1 Garden`); another text stands for none. It stands in the group of what it names or
+//! loose, at a vertex no further from its disc than four heights of letters or a tenth of the shortest edge there, or at
+//! the end of a line that leads from it. A name is seen if its letters have clearly another colour than what lies below
+//! them and than their own halo (a rim of a fifth of their size or more), less than half of them is covered, no other text
+//! is written at their place, and they are at least 4 px high on that same drawing, and not squeezed below that by a
+//! `textLength`: the smallest ones of the kit are 7.2 px, 4.5 px where a figure of 640 px is shown 400 px wide, and
 //! below 4 px digits cannot be told apart. A text that is as a whole the name of something else in the structure, or a
 //! name that is drawn already, is a name too many if it stands in the group of something that is declared, or within
 //! the structure or no more than four heights of letters beside it; not in tables, insets, legends, titles, captions
@@ -135,9 +147,11 @@
 //!   </svg>
 //! ```
 
+mod along;
 mod animations;
 mod answer;
 mod areas;
+mod arrows;
 mod beside;
 mod cells;
 mod colour;
@@ -150,6 +164,7 @@ mod drawing;
 mod drawn;
 mod ends;
 mod error;
+mod exchanged;
 mod eye;
 mod faces;
 mod filling;
@@ -173,6 +188,7 @@ mod pairing;
 mod path;
 mod placed;
 mod report;
+mod retraced;
 mod rings;
 mod segments;
 mod served;
@@ -180,6 +196,7 @@ mod servers;
 mod shape;
 mod sketch;
 mod snap;
+mod spelling;
 mod standing;
 mod strangers;
 mod strokes;
@@ -334,12 +351,13 @@ impl File {
 
     fn compare(&self, target: &Target<'_>, found: &Self, options: &Options) -> Result<Comparison, Fault> {
         let mut notes = found.drawing.notes.clone();
-        let mut seen = target.compare(&found.drawing, options)?;
+        let mut seen = target.compare(&retraced::without_decoration(&self.drawing, &found.drawing), options)?;
         notes.append(&mut seen.notes);
         let placed = self.table.as_ref().zip(found.table.as_ref());
         let placed = placed.map(|(mine, theirs)| [mine, theirs].map(Placed::new));
         let tables = [self.table.as_ref(), found.table.as_ref()];
         let drawings = [&self.drawing, &found.drawing];
+        seen.differences.extend(exchanged::compare(&found.drawing));
         seen.differences.extend(halves::compare(drawings, tables, placed.as_ref().map(<[_; 2]>::each_ref)));
         if let (true, [Some(mine), Some(theirs)]) = (options.names, tables) {
             seen.differences.extend(names::compare([(drawings[0], mine), (drawings[1], theirs)]));

@@ -179,6 +179,11 @@ impl Area {
         [self.low, self.high]
     }
 
+    /// The sides of all rings.
+    pub(super) fn sides(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
+        self.sides.iter().copied()
+    }
+
     /// The corners of all rings.
     pub(super) fn points(&self) -> impl Iterator<Item = Point> + '_ {
         self.sides.iter().map(|side| side[0])
@@ -305,6 +310,8 @@ pub(super) struct Painting {
     pub(super) clips: Vec<Clip>,
     /// How letters are painted, by their coats.
     pub(super) lettering: BTreeMap<u32, Lettering>,
+    /// Coats that leave most of their area open: hatches. Sorted.
+    pub(super) sparse: Vec<u32>,
 }
 
 impl Painting {

@@ -1,27 +1,33 @@
 //! Whether lines that are no edges are seen, and small areas: those of half-edges.
 
 use super::eye::{Eye, FAINT, contrast};
-use super::painting::Shape;
+use super::painting::{Coat, Part, Shape};
+use super::pairing::distance;
 use crate::plane::Point;
 use std::ops::Range;
 
 /// Points along a line that are looked at.
 const POINTS: usize = 8;
+/// What is drawn twice lies at the same place up to this part of its size.
+const NEAR: f64 = 0.02;
 
 impl Eye<'_> {
     /// Whether something is seen of the lines among these coats; `without` is the answer if there are none. `strays` are
     /// the coats of what lies in a wrong place, sorted: a line below one of these, of its colour, is seen with it.
     pub(super) fn any_line(&mut self, coats: Range<u32>, without: bool, strays: &[Range<u32>]) -> bool {
         let painting = self.painting;
-        let mut lines = coats.filter(|&i| matches!(painting.coats[i as usize].shape, Shape::Stroke(..))).peekable();
+        let ends = |i: u32| match painting.coats[i as usize].shape {
+            Shape::Stroke(ends, _) => Some((i, ends)),
+            _ => None,
+        };
+        let mut lines = coats.filter_map(ends).peekable();
         let is_any = lines.peek().is_some();
-        if is_any { lines.any(|i| self.line(i, strays)) } else { without }
+        if is_any { lines.any(|(i, ends)| self.shows_along(&[i], ends, strays)) } else { without }
     }
 
-    /// Whether one line is seen at half of the points along it.
-    fn line(&mut self, i: u32, strays: &[Range<u32>]) -> bool {
-        let own = &self.painting.coats[i as usize];
-        let Shape::Stroke([a, b], _) = own.shape else { return false };
+    /// Whether one of some coats is seen at half of the points along a line.
+    pub(super) fn shows_along(&mut self, coats: &[u32], [a, b]: [Point; 2], strays: &[Range<u32>]) -> bool {
+        let painting = self.painting;
         let is_stray = |j: u32| {
             let next = strays.partition_point(|range| range.start <= j);
             next > 0 && strays[next - 1].contains(&j)
@@ -33,23 +39,68 @@ impl Eye<'_> {
             }
             let t = (k as f64 + 0.5) / POINTS as f64;
             self.look(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
-            let all = self.colour(|_, _| true);
-            let without = self.colour(|j, coat| {
-                let goes_with = is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
-                j != i && !goes_with
-            });
-            seen += usize::from(contrast(all, without) >= FAINT);
+            let is_seen = |&i: &u32| {
+                let own = &painting.coats[i as usize];
+                let goes_with = |j: u32, coat: &Coat| is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
+                self.differs(i, |j, coat| goes_with(j, coat) || is_again(own, coat))
+            };
+            seen += usize::from(coats.iter().any(is_seen));
         }
         2 * seen >= POINTS
     }
 
-    /// Whether a coat changes the colour at one of these points.
-    pub(super) fn shows(&mut self, i: u32, points: &[Point]) -> bool {
+    /// Whether a coat changes the colour at one of these points, some other coats left out. Decoration of its colour goes
+    /// with it: where heads lie over each other's lines, their ink is there.
+    pub(super) fn shows(&mut self, i: u32, points: &[Point], others: &[u32]) -> bool {
+        let own = &self.painting.coats[i as usize];
         points.iter().any(|&p| {
-            if !self.is_tired() {
-                self.look(p);
+            if self.is_tired() {
+                return true;
             }
-            self.is_tired() || contrast(self.colour(|_, _| true), self.colour(|j, _| j != i)) >= FAINT
+            self.look(p);
+            self.stack.retain(|j| *j == i || !others.contains(j));
+            if own.is_small_marker(self.span) {
+                return self.marks(i, p);
+            }
+            let is_alike = |coat: &Coat| coat.part == Part::Other && contrast(own.colour, coat.colour) < FAINT;
+            self.differs(i, |_, coat| is_alike(coat) || is_again(own, coat))
         })
     }
+
+    /// Whether the colour of the last point looked at would be another one without a coat and those that go with it: with
+    /// what thin patterns paint there, and with what they leave open.
+    fn differs(&self, i: u32, goes_with: impl Fn(u32, &Coat) -> bool) -> bool {
+        let painting = self.painting;
+        let is_kept = |j: u32, coat: &Coat| j != i && !goes_with(j, coat);
+        let is_open = |j: u32| painting.sparse.binary_search(&j).is_ok();
+        let differ = |counts: &dyn Fn(u32) -> bool| {
+            let all = self.colour(|j, _| counts(j));
+            contrast(all, self.colour(|j, coat| counts(j) && is_kept(j, coat))) >= FAINT
+        };
+        differ(&|_| true) && (painting.sparse.is_empty() || differ(&|j| j == i || !is_open(j)))
+    }
+
+    /// Whether a small marker, which hides nothing itself, is seen at the last point looked at, or what is drawn over it.
+    fn marks(&self, i: u32, p: Point) -> bool {
+        let coat = &self.painting.coats[i as usize];
+        if !coat.covers(p).0 || self.painting.cut_off(coat, p).is_some() {
+            return false;
+        }
+        let below = self.colour(|j, _| j < i);
+        let above = self.stack.iter().filter(|&&j| j > i).map(|&j| 1.0 - self.painting.coats[j as usize].alpha);
+        above.product::<f64>() * coat.alpha * contrast(coat.colour, below) >= FAINT
+    }
+}
+
+/// Whether a coat paints the same place as another one, in the same colour.
+fn is_again(own: &Coat, other: &Coat) -> bool {
+    let is_near = |a: Point, b: Point| distance(a, b) <= NEAR * own.diameter();
+    let is_there = match (&own.shape, &other.shape) {
+        (Shape::Stroke([a, b], _), Shape::Stroke([c, d], _)) => {
+            is_near(*a, *c) && is_near(*b, *d) || is_near(*a, *d) && is_near(*b, *c)
+        }
+        (Shape::Area(_), Shape::Area(_)) => own.corners().into_iter().zip(other.corners()).all(|(a, b)| is_near(a, b)),
+        _ => false,
+    };
+    is_there && contrast(own.colour, other.colour) < FAINT
 }

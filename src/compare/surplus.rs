@@ -47,7 +47,7 @@ pub(super) fn surplus(
     drawing: &Drawing,
     around: &Around<'_>,
     eye: &mut Eye<'_>,
-    right: &BTreeMap<&str, u32>,
+    right: &BTreeMap<String, u32>,
 ) -> BTreeSet<(Surplus, String)> {
     let mut out = BTreeSet::new();
     let extent = Extent::around(drawing.points().collect::<Vec<Point>>());

@@ -5,7 +5,7 @@
 //!   ────▸        a marker is drawn as it is, at each place of the path where it stands
 //!   ┌──────┐     a text is taken for a box: 0.6 em for each letter, in the colour of the letters, or of their rim if
 //!   │ text │     that covers them; labels and arrow heads of ordinary size hide nothing, but letters that nobody can
-//!   └──────┘     read: eye.rs
+//!   └──────┘     read: eye.rs; a textLength makes the box wider or narrower, and the letters with it
 //! ```
 
 use super::{Around, Reader, corners, place};
@@ -157,7 +157,20 @@ impl<'a, 'i> Reader<'a, 'i> {
         start: [f64; 2],
         depth: usize,
     ) -> Result<(), Fault> {
+        self.text_part(node, around, start, 1.0, depth)
+    }
+
+    /// A text or a part of one; `stretch` is how much wider it is than it would be by itself.
+    fn text_part(
+        &mut self,
+        node: Node<'a, 'i>,
+        around: &Around,
+        start: [f64; 2],
+        stretch: f64,
+        depth: usize,
+    ) -> Result<(), Fault> {
         let offset = node.range().start;
+        let stretch = stretched(node, around.ink.letters.size).unwrap_or(stretch);
         let axis = |name: &str, otherwise: f64| {
             let first = node.attribute(name).and_then(|list| list.split([' ', ',']).find(|word| !word.is_empty()));
             first.and_then(numbers::measure).unwrap_or(otherwise)
@@ -177,7 +190,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             .map(|text| text.trim().chars().count())
             .sum();
         if letters > 0 {
-            self.letters(letters, start, around, offset)?;
+            self.letters(letters, start, stretch, around, offset)?;
         }
         if depth > super::DEPTH {
             return Err(Fault::at(offset, Problem::TooDeep { limit: super::DEPTH }));
@@ -187,7 +200,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 self.path.push(tag(child));
             }
             if let Some(inner) = self.inside(child, around)? {
-                self.text(child, &inner, start, depth + 1)?;
+                self.text_part(child, &inner, start, stretch, depth + 1)?;
             }
             if !self.rules.is_empty() {
                 self.path.pop();
@@ -197,7 +210,14 @@ impl<'a, 'i> Reader<'a, 'i> {
     }
 
     /// The box of so many letters.
-    fn letters(&mut self, count: usize, [x, y]: [f64; 2], around: &Around, offset: usize) -> Result<(), Fault> {
+    fn letters(
+        &mut self,
+        count: usize,
+        [x, y]: [f64; 2],
+        stretch: f64,
+        around: &Around,
+        offset: usize,
+    ) -> Result<(), Fault> {
         let ink = &around.ink;
         // What gets another colour is painted at some time.
         let has_rim = around.coloured || ink.hidden_stroke().is_none();
@@ -209,7 +229,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         let rim = if has_rim { 0.5 * ink.width() } else { 0.0 };
         let size = ink.letters.size;
-        let width = LETTER * size * count as f64;
+        let width = LETTER * size * count as f64 * stretch;
         let left = x - ink.anchor * width;
         let room = [left - rim, y - ABOVE * size - rim, width + 2.0 * rim, (ABOVE + BELOW) * size + 2.0 * rim];
         let mut ring = Vec::with_capacity(4);
@@ -235,11 +255,21 @@ impl<'a, 'i> Reader<'a, 'i> {
                 is_below: ink.rim_below,
             });
             let fill = if ink.fills() { shade(ink.fill()) } else { ([0.0; 3], 0.0) };
-            let lettering = Lettering { size: size * self.unit * height(&around.transform), fill, rim };
+            let shown = size * self.unit * height(&around.transform) * stretch.min(1.0);
+            let lettering = Lettering { size: shown, fill, rim };
             self.out.painting.lettering.insert(coat, lettering);
         }
         Ok(())
     }
+}
+
+/// How much wider a text is than it would be by itself, if it says how long it is.
+fn stretched(node: Node<'_, '_>, size: f64) -> Option<f64> {
+    let length = node.attribute("textLength").and_then(numbers::measure).filter(|length| *length > 0.0)?;
+    let texts = node.descendants().filter(Node::is_text).filter_map(|n| n.text());
+    let count: usize = texts.map(|text| text.trim().chars().count()).sum();
+    let usual = LETTER * size * count as f64;
+    (usual > 0.0).then_some(length / usual)
 }
 
 /// How high a square of height 1 is after a transform that may stretch or slant it.

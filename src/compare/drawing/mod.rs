@@ -429,7 +429,9 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     /// A text that may be the name of something.
     fn name(&mut self, node: Node<'a, 'i>, coats: Range<u32>, noted: bool) {
-        let element = node.parent().and_then(declared::name).unwrap_or("").to_owned();
+        let label = |node| declared::labelled(node).filter(|_| self.kit);
+        let element = node.parent().and_then(|node| declared::name(node).or_else(|| label(node)));
+        let element = element.unwrap_or("").to_owned();
         if element.is_empty() && (noted || coats.is_empty()) {
             return;
         }

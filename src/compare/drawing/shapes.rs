@@ -30,6 +30,8 @@ const GAP: f64 = 24.0;
 const TINY: f64 = 0.1;
 /// Corners of a rectangle that are round by no more than this part of its longer side are sharp.
 const SHARP: f64 = 1e-4;
+/// A pattern that covers less than this leaves most of its area open.
+const SPARSE: f64 = 0.5;
 /// Pieces of curves that make a circle, at least.
 const PIECES: usize = 12;
 
@@ -101,6 +103,9 @@ impl<'a, 'i> Reader<'a, 'i> {
         };
         let empty: Vec<bool> = placed.iter().map(|(points, _)| is_empty(points)).collect();
         let coat = self.out.painting.add(Shape::Area(area), around.ink.fill(), around.clip, part);
+        if around.ink.hatched && self.out.painting.coats[coat as usize].alpha < SPARSE {
+            self.out.painting.sparse.push(coat);
+        }
         if around.axes == Some(Axes::Behind) {
             self.out.paper.push(coat);
             return;

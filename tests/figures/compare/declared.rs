@@ -273,6 +273,18 @@ fn figures_with_holes_are_equal_to_themselves() {
 }
 
 #[test]
+fn vertices_drawn_at_each_others_places_are_named_first() {
+    const DISC: &str = "<circle";
+    let exchanged = changed(|lines| {
+        let [a, b] = ["v1", "v2"].map(|name| within(lines, name, DISC));
+        lines.swap(a, b);
+    });
+    let answer = judge(&reference(), &exchanged);
+    assert_eq!(answer.differences()[0].text, "2 vertices are drawn where others belong: v1 at v2, v2 at v1");
+    assert!(named(&exchanged).contains("1. 2 vertices are drawn where others belong"), "{}", named(&exchanged));
+}
+
+#[test]
 fn tables_and_insets_are_no_part_of_the_structure() {
     let plane = ship();
     let options = |name: &str| FigureOptions::new(name).detail(Detail::Full);

@@ -4,12 +4,12 @@ use super::declared::{BARB, LINE, changed, direction, moved, reference, says, wi
 use super::{judge, ship};
 use dcel_kit::figure::{Detail, FigureOptions, structure};
 
-fn names() -> impl Iterator<Item = String> {
+pub(super) fn names() -> impl Iterator<Item = String> {
     (0..66).map(|h| format!("h{h}"))
 }
 
 /// The ends of the line of a half-edge.
-fn ends(lines: &[String], name: &str) -> [[f64; 2]; 2] {
+pub(super) fn ends(lines: &[String], name: &str) -> [[f64; 2]; 2] {
     let line = &lines[within(lines, name, LINE)];
     [[" x1=\"", " y1=\""], [" x2=\"", " y2=\""]].map(|keys| {
         keys.map(|key| {

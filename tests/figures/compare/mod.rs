@@ -4,6 +4,7 @@
 
 mod accepted;
 mod around;
+mod arrows;
 mod declared;
 mod foreign;
 mod geometry;

@@ -1,6 +1,6 @@
 //! Names that nobody can read are told, and so are names too many.
 
-use super::declared::{changed, named, reference, within};
+use super::declared::{changed, moved, named, reference, within};
 use super::ship;
 use dcel_kit::compare::{Options, compare};
 use dcel_kit::figure::{Detail, FigureOptions, Theme, structure};
@@ -201,4 +201,127 @@ fn figures_of_the_kit_draw_no_name_too_many() {
         }
     }
     assert!(seen > 5, "{seen}");
+}
+
+/// The reference with another text in the place of a name.
+fn renamed(element: &str, text: &str) -> String {
+    changed(|lines| {
+        let at = within(lines, element, "<text");
+        lines[at] = lines[at].replace(&format!(">{element}<"), &format!(">{text}<"));
+    })
+}
+
+#[test]
+fn texts_that_are_no_names_stand_for_none() {
+    for (element, text) in [("v1", "xyz"), ("h0", "v99"), ("f1", "a sail")] {
+        let said = format!("the name of {element} is not drawn: `{text}` stands in its place");
+        says(&renamed(element, text), &said);
+        // A reference that shows no name asks for none.
+        let shown = compare(&renamed(element, "?"), &renamed(element, text), &Options::new().names(true)).unwrap();
+        assert!(shown.is_equal(), "{}", shown.text());
+        // A note beside the name is none of its business.
+        reads(&more(element, text, [0.0, 30.0], ""));
+    }
+    for (element, text) in [("v1", "v\u{2081}"), ("v1", "v_1"), ("h0", "h<tspan dy=\"2\">0</tspan>"), ("f1", "$f_1$")] {
+        reads(&renamed(element, text));
+    }
+}
+
+#[test]
+fn names_may_stand_outside_of_the_groups_of_what_they_name() {
+    for element in ["v1", "h0", "f1"] {
+        let mut text = String::new();
+        let unnamed = changed(|lines| text = lines.remove(within(lines, element, "<text")));
+        reads(&unnamed.replacen("</svg>", &format!("{text}</svg>"), 1));
+        says(&unnamed, &format!("the name of {element} is not drawn"));
+    }
+}
+
+#[test]
+fn names_of_vertices_stand_near_them() {
+    let far = |shift: &str| changed(|lines| moved(lines, "v1", "<text", &format!("translate({shift})")));
+    for shift in ["0 -130", "-110 0"] {
+        says(&far(shift), "the name of v1 does not stand where v1 is drawn");
+    }
+    for shift in ["0 20", "0 -24", "16 16"] {
+        reads(&far(shift));
+    }
+    // A line may lead to it.
+    let lines: Vec<String> = reference().lines().map(str::to_owned).collect();
+    let [x, y] = place(&lines[within(&lines, "v1", "<text")]);
+    let led = changed(|lines| {
+        moved(lines, "v1", "<text", "translate(-60 -70)");
+        let [u, v] = [x - 54.0, y - 63.0];
+        let leader = format!("<line class=\"leader\" x1=\"{x}\" y1=\"{y}\" x2=\"{u}\" y2=\"{v}\"/>");
+        let at = within(lines, "v1", "<text");
+        lines.insert(at, leader);
+    });
+    reads(&led);
+}
+
+#[test]
+fn names_that_are_covered_or_faint_cannot_be_read() {
+    let said = |element: &str| format!("the name of {element} cannot be seen");
+    let below = changed(|lines| {
+        let [text, disc] = ["<text", "<circle"].map(|start| within(lines, "v1", start));
+        lines.swap(text, disc);
+    });
+    says(&below, &said("v1"));
+    let lines: Vec<String> = reference().lines().map(str::to_owned).collect();
+    let over = |element: &str, node: &dyn Fn(f64, f64) -> String| {
+        let [x, y] = place(&lines[within(&lines, element, "<text")]);
+        behind(&node(x, y))
+    };
+    for width in [28.0, 16.0] {
+        let covered = |x: f64, y: f64| {
+            let left = x - 0.5 * width;
+            format!("<rect x=\"{left}\" y=\"{}\" width=\"{width}\" height=\"20\" fill=\"#fff\"/>", y - 10.0)
+        };
+        says(&over("f1", &covered), &said("f1"));
+    }
+    // A thin line across hides no letters.
+    let crossed = |x: f64, y: f64| {
+        format!("<g class=\"ptr\"><path fill=\"none\" stroke=\"#000\" d=\"M{} {y}h30\"/></g>", x - 15.0)
+    };
+    reads(&over("f1", &crossed));
+    let text = |words: &'static str, fill: &'static str| {
+        move |x: f64, y: f64| format!("<text x=\"{x}\" y=\"{y}\" dy=\".36em\" fill=\"{fill}\">{words}</text>")
+    };
+    says(&over("v1", &text("XX", "black")), &said("v1"));
+    for style in ["fill-opacity:0", "opacity:.05", "fill:#f4f4f4;stroke:none"] {
+        says(&styled("v1", style), &said("v1"));
+    }
+    reads(&styled("v1", "opacity:.6"));
+    let squeezed = |length: f64| {
+        changed(|lines| {
+            let at = within(lines, "v1", "<text");
+            let how = format!("<text textLength=\"{length}\" lengthAdjust=\"spacingAndGlyphs\"");
+            lines[at] = lines[at].replacen("<text", &how, 1);
+        })
+    };
+    says(&squeezed(0.1), &said("v1"));
+    reads(&squeezed(14.0));
+}
+
+/// Of a face that is called so, `Garden`, `f1` and `f1 Garden` are names.
+#[test]
+fn faces_are_called_by_number_and_name() {
+    let svg = |name: &str, text: &str| {
+        changed(|lines| {
+            let at = within(lines, "f1", "<text");
+            lines[at] = lines[at].replace(">f1<", &format!(">{text}<"));
+            let group = lines[..at].iter().rposition(|line| line.starts_with("<g ")).unwrap();
+            lines[group] = lines[group].replacen("<g ", &format!("<g data-name=\"{name}\" "), 1);
+        })
+    };
+    let answer = |mine: &str, theirs: &str| compare(mine, theirs, &Options::new().names(true)).unwrap();
+    let plain = svg("Garden", "Garden");
+    for (name, text) in [("f1 Garden", "f1 Garden"), ("Garden", "f1: Garden"), ("Garden", "f1")] {
+        for [mine, theirs] in [[&plain, &svg(name, text)], [&svg(name, text), &plain]] {
+            assert!(answer(mine, theirs).is_equal(), "{name}: {}", answer(mine, theirs).text());
+        }
+    }
+    for (name, text) in [("Garden", "Shed"), ("f1 Shed", "f1 Shed"), ("f2 Garden", "f2 Garden")] {
+        assert!(!answer(&plain, &svg(name, text)).is_equal(), "{name}");
+    }
 }
