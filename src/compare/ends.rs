@@ -3,6 +3,8 @@
 //! ```text
 //!   (●)────────(●)     a line that ends within or at the rim of a circle and points to its middle ends at that vertex
 //! ```
+//!
+//! Where another line begins at the same point, as at the corners of a polygon, none ends.
 
 use super::pairing::distance;
 use super::snap::Snap;
@@ -40,11 +42,19 @@ impl Circles {
 
     /// Brings the ends of a line to the vertices at whose circles it ends: it lies within a circle, or no more than
     /// `reach` beyond its rim, short of the middle to which the line points; and within no other circle of which that is
-    /// so. Ends at known points stay.
-    pub(super) fn reach(&mut self, ends: [Point; 2], reach: f64, snap: &Snap, tolerance: f64) -> [Point; 2] {
+    /// so. Ends at known points stay, and those that are not loose.
+    pub(super) fn reach(
+        &mut self,
+        ends: [Point; 2],
+        reach: f64,
+        snap: &Snap,
+        loose: &Loose,
+        tolerance: f64,
+    ) -> [Point; 2] {
         [0, 1].map(|i| {
             let (end, other) = (ends[i], ends[1 - i]);
-            let vertex = if snap.is_known(end) { None } else { self.aimed(end, other, reach, tolerance) };
+            let stays = snap.is_known(end) || !loose.is(end);
+            let vertex = if stays { None } else { self.aimed(end, other, reach, tolerance) };
             vertex.unwrap_or(end)
         })
     }
@@ -80,4 +90,30 @@ impl Circles {
         }
         found
     }
+}
+
+/// The ends of lines, and whether all lines that end there run to one point: a line may be drawn twice.
+#[derive(Default)]
+pub(super) struct Loose(BTreeMap<[u64; 2], Option<[u64; 2]>>);
+
+impl Loose {
+    /// Takes in a line.
+    pub(super) fn add(&mut self, ends: [Point; 2]) {
+        let [a, b] = ends.map(key);
+        for (end, other) in [(a, b), (b, a)] {
+            let known = self.0.entry(end).or_insert(Some(other));
+            if *known != Some(other) {
+                *known = None;
+            }
+        }
+    }
+
+    fn is(&self, end: Point) -> bool {
+        self.0.get(&key(end)).is_none_or(Option::is_some)
+    }
+}
+
+/// A point by its bits: corners of one outline are equal to the last.
+fn key(p: Point) -> [u64; 2] {
+    [p.x.to_bits(), p.y.to_bits()]
 }

@@ -3,7 +3,7 @@
 //! ```text
 //!   reference.svg ─┐  0 well-formed   1 same bytes?   2 same declared structure?   3 same drawn geometry?
 //!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing/  painting.rs
-//!                                                     links.rs  faces.rs           sketch.rs  eye.rs  drawn.rs
+//!                                                     links.rs  faces.rs           sketch.rs  eye/  drawn.rs
 //!                     4 where no point fits: the right shape in the wrong place?   shape.rs
 //!                     answer: answer.rs (report.rs), and a picture of the differences: diff.rs
 //! ```
@@ -24,7 +24,6 @@
 //!   exchanged.rs   Vertices at each other's places
 //!   filling.rs     What is seen of faces and holes
 //!   frame.rs       From the student's canvas to the coordinates of the reference
-//!   gaps.rs        Stretches of an edge that something covers
 //!   geometry.rs    Geometry that a style says
 //!   graph.rs       Vertices and edges of two drawings
 //!   halves.rs      Half-edges that are declared and drawn
@@ -169,7 +168,6 @@ mod eye;
 mod faces;
 mod filling;
 mod frame;
-mod gaps;
 mod geometry;
 mod graph;
 mod halves;

@@ -11,7 +11,7 @@
 
 use super::beside::{self, Area, Beside, Called, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
-use super::ends::Circles;
+use super::ends::{Circles, Loose};
 use super::error::{Fault, Problem};
 use super::frame::Frame;
 use super::graph::Graph;
@@ -188,6 +188,8 @@ impl Sketch {
         let circles = dots.iter().filter(|(_, (seen, _))| seen.is_ok());
         let circles = circles.map(|(&m, &(_, radius))| (snap.points[m as usize], radius * frame.scale()));
         let mut circles = Circles::new(circles.collect(), tolerance);
+        let mut loose = Loose::default();
+        drawing.lines.iter().for_each(|line| loose.add(line.ends.map(|p| frame.apply(p))));
         // All ends first: a line is cut only where something ends or stands.
         let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
         for (i, line) in drawing.lines.iter().enumerate() {
@@ -205,7 +207,7 @@ impl Sketch {
                 beside.small += 1;
             } else {
                 let reach = line.half * frame.scale() + tolerance;
-                lines.push((*line, circles.reach(ends, reach, &snap, tolerance)));
+                lines.push((*line, circles.reach(ends, reach, &snap, &loose, tolerance)));
             }
         }
         let mut numbers: Vec<Option<[u32; 2]>> =

@@ -112,6 +112,21 @@ fn short(less: f64, aside: f64) -> String {
     drawn(cut, vertex, "")
 }
 
+/// As the corners of a circle that runs through a vertex: a side points to the middle of a disc, and the next one goes on.
+#[test]
+fn corners_of_outlines_beside_a_vertex_are_no_ends_of_lines() {
+    let ring = "<polygon points=\"300,250 447,250 380,150\" fill=\"none\" stroke=\"#333\"/>";
+    let sides = [[[300.0, 250.0], [447.0, 250.0]], [[447.0, 250.0], [380.0, 150.0]], [[380.0, 150.0], [300.0, 250.0]]];
+    let lines: String = sides.map(|ends| edge(0, ends)).concat();
+    for last in [ring, &lines] {
+        let answer = judge(&drawn(edge, |p| circle(p, 2.0), ring), &drawn(edge, |p| circle(p, 6.0), last));
+        assert!(answer.is_equal(), "{last}: {}", answer.text());
+    }
+    // Drawn twice, an end is as loose as before.
+    let twice = line([[50.0, 350.0], [547.0, 350.0]], "stroke=\"#333\"").repeat(2);
+    same(&with("").replace(&edge(0, EDGES[0].map(|v| CORNERS[v])), &twice));
+}
+
 #[test]
 fn a_line_that_ends_at_the_rim_of_a_circle_ends_at_its_vertex() {
     for less in [0.5, 1.0, 3.0, 4.0, 4.7] {

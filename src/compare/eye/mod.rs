@@ -9,14 +9,20 @@
 //! So nothing has to be known about the ways in which a line can be hidden: by an area, a white line or a circle
 //! above it, by its own colour, by a clip path, or by lying beyond the canvas. Colours are mixed as browsers mix
 //! them; pixels are not drawn.
+//!
+//! ```text
+//!   gaps.rs  Stretches of an edge that something covers
+//! ```
+
+mod gaps;
 
 use super::beside::Beside;
 use super::cells::{cell, column, entries, level, pieces};
-use super::gaps::{Gap, Way};
 use super::ink::Hidden;
 use super::painting::{Coat, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
+use gaps::{Gap, Way};
 
 /// Less contrast than this, in steps of 255, cannot be seen of lines and circles.
 pub(super) const FAINT: f64 = 8.0;
@@ -61,9 +67,9 @@ pub(super) struct Eye<'a> {
     probes: usize,
     /// How large the drawing is.
     pub(super) span: f64,
-    pub(super) work: usize,
+    work: usize,
     /// What may be letters, by the middles of the boxes round it, from left to right; once it is asked for.
-    pub(super) inside: Option<Vec<(Point, u32)>>,
+    inside: Option<Vec<(Point, u32)>>,
     /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
     pub(super) stack: Vec<u32>,
     pub(super) letters: Vec<u32>,
@@ -283,7 +289,7 @@ impl<'a> Eye<'a> {
     }
 
     /// What is seen of an edge so far from its start.
-    pub(super) fn glance(&mut self, way: &Way, far: f64) -> Glance {
+    fn glance(&mut self, way: &Way, far: f64) -> Glance {
         let (p, along) = (way.at(far), way.along);
         let mut own = self.own(p, along, way.tolerance);
         let (mut seen, mut alone) = (false, false);

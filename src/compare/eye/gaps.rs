@@ -6,9 +6,9 @@
 //!        └────┘
 //! ```
 
-use super::eye::{Eye, FAINT, contrast};
-use super::ink::Hidden;
-use super::painting::{Mark, Part, Shape};
+use super::super::ink::Hidden;
+use super::super::painting::{Mark, Part, Shape};
+use super::{Eye, FAINT, contrast};
 use crate::plane::Point;
 
 /// A gap is short up to this part of the drawing: as letters are.
