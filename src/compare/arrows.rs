@@ -21,6 +21,8 @@ const SLENDER: f64 = 1.6;
 /// The tail of such an outline: this part of its length. A half with a head is so many times as wide as the other one.
 const END: f64 = 0.25;
 const WIDER: f64 = 1.3;
+/// So many shafts, strokes beside them and heads of a half-edge are looked at, each.
+const MOST: usize = 300;
 /// Strokes of one shaft turn by less than this, as a part of their lengths.
 const TURN: f64 = 0.01;
 
@@ -62,7 +64,7 @@ impl Arrow {
         let Some(along) = along else { return out };
         let mut others = Vec::new();
         for shaft in strokes {
-            if along.has_beside(shaft.line.ends) { out.shafts.push(shaft) } else { others.push(shaft) }
+            if along.has_beside(shaft.line.ends) { out.add(shaft) } else { others.push(shaft) }
         }
         let has_lines = !out.shafts.is_empty();
         for i in half.coats.clone() {
@@ -81,8 +83,23 @@ impl Arrow {
             }
         }
         others.extend(curves);
+        others.truncate(MOST);
         out.heads.extend(meeting(coats, others));
+        out.heads.truncate(MOST);
         out
+    }
+
+    /// Takes in a shaft; one that is drawn once more counts together with the first.
+    fn add(&mut self, shaft: Shaft) {
+        let is_copy = |known: &Shaft| known.line.ends == shaft.line.ends && known.line.half == shaft.line.half;
+        match self.shafts.iter().position(is_copy) {
+            Some(i) => {
+                let coats = &mut self.shafts[i].coats;
+                coats.extend(shaft.coats.into_iter().take(MOST.saturating_sub(coats.len())));
+            }
+            None if self.shafts.len() < MOST => self.shafts.push(shaft),
+            None => {}
+        }
     }
 
     /// Whether half of a shaft is seen.

@@ -7,9 +7,9 @@
 //!                                  own line, the barb behind it, on both sides or on the outer one (arrows.rs)
 //! ```
 //!
-//! No head points back. No line is much further from its edge than those of the others, unless its barb is as large, and none is much shorter
-//! than the same half-edge in the reference, if that draws it: three quarters of that are enough, and so is to end as near
-//! to the vertices, measured by how far lines lie from their edges.
+//! No head points back. No line is much further from its edge than those of the others, unless its barb is as large, and
+//! none is much shorter than the same half-edge in the reference, if that draws it: three quarters of that are enough, and
+//! so is to end as near to the vertices, measured by how far lines lie from their edges.
 //!
 //! What the reference's own drawing does not show nobody has to show: the same half-edge, by its place, whatever its
 //! number.

@@ -125,6 +125,9 @@ impl Eye<'_> {
         let has_halo = painting.lettering.get(&i).is_some_and(Lettering::has_wide_rim);
         let mut written = 0;
         for p in places(coat) {
+            if self.is_tired() {
+                return false;
+            }
             self.look(p);
             let ground = self.colour(|j, _| j < i);
             let hides = |&j: &u32| {

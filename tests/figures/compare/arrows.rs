@@ -239,3 +239,28 @@ fn figures_of_the_kit_are_equal_at_every_width() {
         }
     }
 }
+
+/// Each stroke could be a part of the head that each other one begins, and each head could be that of each copy of the line.
+#[test]
+fn a_half_edge_of_many_strokes_ends_quickly() {
+    use cpu_time::ThreadTime;
+    let strayed = |lines: &mut Vec<String>| {
+        let stray = |i: usize| {
+            let (x, y) = (100 + i % 300, 100 + 7 * i % 300);
+            format!("<path class=\"sh\" d=\"M{x}.{} {y}l1 .5\"/>", i % 97)
+        };
+        let line = within(lines, "h3", LINE);
+        lines[line].extend((0..40_000).map(stray));
+    };
+    let copied = |lines: &mut Vec<String>| {
+        let [line, barb] = [LINE, BARB].map(|start| within(lines, "h3", start));
+        lines[line] = lines[line].repeat(20_000);
+        lines[barb] = lines[barb].repeat(20_000);
+    };
+    for svg in [changed(strayed), changed(copied)] {
+        let started = ThreadTime::now();
+        let answer = judge(&reference(), &svg);
+        assert!(answer.is_equal(), "{}", answer.text());
+        assert!(started.elapsed() < std::time::Duration::from_secs(10), "{:?}", started.elapsed());
+    }
+}
