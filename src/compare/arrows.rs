@@ -91,10 +91,10 @@ impl Arrow {
 
     /// Takes in a shaft; one that is drawn once more counts together with the first.
     fn add(&mut self, shaft: Shaft) {
-        let is_copy = |known: &Shaft| known.line.ends == shaft.line.ends && known.line.half == shaft.line.half;
-        match self.shafts.iter().position(is_copy) {
+        match self.shafts.iter().position(|known| known.line.ends == shaft.line.ends) {
             Some(i) => {
-                let coats = &mut self.shafts[i].coats;
+                let Shaft { line, coats } = &mut self.shafts[i];
+                line.half = line.half.max(shaft.line.half);
                 coats.extend(shaft.coats.into_iter().take(MOST.saturating_sub(coats.len())));
             }
             None if self.shafts.len() < MOST => self.shafts.push(shaft),
