@@ -103,6 +103,13 @@ impl DoubleDouble {
         known.then(|| (high + 0.0, low.abs() + error))
     }
 
+    /// How far the number lies above a double: not less than the first bound, and not more than the second.
+    pub(crate) fn above(self, x: f64) -> [f64; 2] {
+        let Self { high, low, error } = self.minus(Self::of(x));
+        let off = (low.abs() + error) * SPARE;
+        [(high - off).next_down(), (high + off).next_up()]
+    }
+
     /// The order of the two numbers, if it is certain.
     pub(crate) fn order(self, other: Self) -> Option<Ordering> {
         self.minus(other).sign()
@@ -196,6 +203,10 @@ mod tests {
             let at = |x: f64| Expansion::of(high).plus(&Expansion::of(x));
             assert!(beyond(&at(low).plus(&Expansion::of(error))).is_le(), "{numbers:?}");
             assert!(beyond(&at(low).minus(&Expansion::of(error))).is_ge(), "{numbers:?}");
+            for x in [high.next_down(), high, e] {
+                let [least, most] = quotient.above(x).map(|off| Expansion::of(x).plus(&Expansion::of(off)));
+                assert!(beyond(&least).is_ge() && beyond(&most).is_le(), "{numbers:?}");
+            }
             let Some((nearest, off)) = quotient.nearest() else { continue };
             known += 1;
             assert_eq!(nearest.to_bits(), (high + 0.0).to_bits());

@@ -33,10 +33,11 @@
 //   plane_journal.rs            watching the edits, undo
 //   locate/                     where a point lies: scan, walk, index
 //   triangulate/                faces into triangles: ears, monotone pieces              hull/      points -> convex hull
-//   sweep.rs status.rs          what lies below; the edges under the sweep line, in order
+//   sweep.rs status.rs          what lies below; the edges under the sweep line, in order     below.rs the same for few points
 //   cycle.rs rings.rs           which way round, which inner cycle in which face              seed.rs    to start from
 
 mod affine;
+mod below;
 mod check;
 mod convert;
 pub(crate) mod cycle;

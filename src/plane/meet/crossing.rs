@@ -12,6 +12,7 @@ use super::grid::Grid;
 use crate::geometry::double_double::DoubleDouble;
 use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::interval::Interval;
+use crate::geometry::predicates::left_to_right;
 use crate::plane::{Point, SMALLEST};
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -74,14 +75,17 @@ impl Crossing {
     pub(super) fn order_to(&self, other: &Self) -> Ordering {
         let exactly = |a: &Expansion, b: &Expansion| {
             let [w, v] = [self, other].map(|crossing| &crossing.exact().w);
-            // Where one pair of segments is the other one, moved, the divisors are the same.
-            if w == v { a.clone().minus(b).sign() } else { a.times(v).minus(&b.times(w)).sign() }
+            a.times(v).minus(&b.times(w)).sign()
         };
         if self.ends == other.ends {
             return Ordering::Equal;
         }
         let finer = |i: usize| self.finer()[i]?.order(other.finer()[i]?);
-        let by_x = self.x.order(other.x).or_else(|| finer(0));
+        let by_x = self.x.order(other.x);
+        if by_x.is_none() && is_moved(self.ends, other.ends) {
+            return left_to_right(self.ends[0][0], other.ends[0][0]);
+        }
+        let by_x = by_x.or_else(|| finer(0));
         let by_x = by_x.unwrap_or_else(|| exactly(&self.exact().x, &other.exact().x));
         by_x.then_with(|| {
             let by_y = self.y.order(other.y).or_else(|| finer(1));
@@ -144,17 +148,8 @@ impl Crossing {
     /// The nearest point with doubles as coordinates, within the range of the door, and how far it is from the
     /// crossing at most. Rounding keeps the order of the x and of the y of different crossings.
     pub(super) fn rounded(&self) -> (Point, f64) {
-        let quick = self.quotients();
-        let allowed = |&(x, _): &(f64, f64)| x == 0.0 || x.abs() >= SMALLEST;
-        let divide = |bounds: Interval, i: usize| {
-            if let Some(known) = bounds.only() {
-                return (known, 0.0);
-            }
-            quick[i].and_then(DoubleDouble::nearest).filter(allowed).unwrap_or_else(|| self.divide(i))
-        };
-        let ((px, off_x), (py, off_y)) = (divide(self.x, 0), divide(self.y, 1));
-        // Both rests are good to a few last places.
-        (Point::new(px, py), off_x.hypot(off_y) * (1.0 + 8.0 * f64::EPSILON))
+        let (p, off, _) = placed(self.ends);
+        (p, off)
     }
 
     /// The nearest allowed double of a coordinate, and how far off it is.
@@ -169,19 +164,46 @@ impl Crossing {
 
     /// Both coordinates as well as two doubles for each number tell them, computed once.
     fn finer(&self) -> &[Option<DoubleDouble>; 2] {
-        self.finer.get_or_init(|| Box::new(self.quotients()))
+        self.finer.get_or_init(|| Box::new(quotients(self.ends)))
     }
+}
 
-    /// The same, computed.
-    fn quotients(&self) -> [Option<DoubleDouble>; 2] {
-        let [[a, b], [c, d]] = self.ends;
-        let vector = |p: Point, q: Point| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)];
-        let times = |p: [DoubleDouble; 2], q: [DoubleDouble; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
-        let (along, across) = (vector(a, b), vector(c, d));
-        let (w, t) = (times(along, across), times(vector(a, c), across));
-        let part = |start: f64, along| DoubleDouble::of(start).times(w).plus(t.times(along));
-        [part(a.x, along[0]), part(a.y, along[1])].map(|part| part.over(w))
-    }
+/// The crossing of two segments: the nearest point with doubles as coordinates, within the range of the door, how far it is
+/// from the crossing at most, and between which bounds the crossing lies to its right.
+pub(in crate::plane) fn placed(ends: [[Point; 2]; 2]) -> (Point, f64, [f64; 2]) {
+    let quick = quotients(ends);
+    let allowed = |&(x, _): &(f64, f64)| x == 0.0 || x.abs() >= SMALLEST;
+    let exactly = |i: usize| Crossing::new([0, 1], ends).divide(i);
+    // Along an upright or a level segment one coordinate is known.
+    let known = |part: fn(Point) -> f64| ends.iter().find(|[a, b]| part(*a) == part(*b)).map(|[a, _]| (part(*a), 0.0));
+    let divide = |part: fn(Point) -> f64, i: usize| {
+        let quick = || quick[i].and_then(DoubleDouble::nearest).filter(allowed);
+        known(part).or_else(quick).unwrap_or_else(|| exactly(i))
+    };
+    let ((px, off_x), (py, off_y)) = (divide(|p| p.x, 0), divide(|p| p.y, 1));
+    let right = quick[0].map_or([f64::NEG_INFINITY, f64::INFINITY], |x| x.above(px));
+    // Both rests are good to a few last places.
+    (Point::new(px, py), off_x.hypot(off_y) * (1.0 + 8.0 * f64::EPSILON), right)
+}
+
+/// Both coordinates of a crossing as well as two doubles for each number tell them.
+fn quotients(ends: [[Point; 2]; 2]) -> [Option<DoubleDouble>; 2] {
+    let a = ends[0][0];
+    let [along, across, between] = vectors(ends);
+    let times = |p: [DoubleDouble; 2], q: [DoubleDouble; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
+    let (w, t) = (times(along, across), times(between, across));
+    let part = |start: f64, along| DoubleDouble::of(start).times(w).plus(t.times(along));
+    [part(a.x, along[0]), part(a.y, along[1])].map(|part| part.over(w))
+}
+
+/// Whether one pair of segments is the other one, moved. Then their crossings lie from each other as their first ends do.
+pub(in crate::plane) fn is_moved(one: [[Point; 2]; 2], other: [[Point; 2]; 2]) -> bool {
+    vectors(one) == vectors(other)
+}
+
+/// Along both segments, and from the first to the second, exactly.
+fn vectors([[a, b], [c, d]]: [[Point; 2]; 2]) -> [[DoubleDouble; 2]; 3] {
+    [(a, b), (c, d), (a, c)].map(|(p, q)| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)])
 }
 
 /// Of the doubles round `q` the one with the smallest rest; of two the lower one.
@@ -274,7 +296,7 @@ mod tests {
                 continue;
             }
             let crossing = Crossing::new([0, 1], [[a, b], [c, d]]);
-            for (i, found) in crossing.quotients().into_iter().enumerate() {
+            for (i, found) in quotients(crossing.ends).into_iter().enumerate() {
                 let Some((nearest, off)) = found.and_then(DoubleDouble::nearest) else { continue };
                 let (expected, rest) = crossing.divide(i);
                 assert_eq!(nearest.to_bits(), expected.to_bits(), "{:?}", crossing.ends);

@@ -15,9 +15,11 @@
 //! of many edges through one point as in de Berg et al., *Computational Geometry*, 3rd ed., section 2.1.
 //!
 //! ```text
-//!   grid.rs  A square grid whose points, and whose lines between pixels, are doubles
+//!   cells.rs  All pairs of edges that meet, found in the cells of a grid
+//!   grid.rs   A square grid whose points, and whose lines between pixels, are doubles
 //! ```
 
+mod cells;
 mod crossing;
 mod grid;
 
@@ -29,7 +31,9 @@ use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::progress::Stage;
 use crate::topology::{NoObserver, Observer};
+pub(super) use cells::{Meetings, NoMeetings, meetings};
 use crossing::Crossing;
+pub(super) use crossing::{is_moved, placed};
 pub(super) use grid::Grid;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;

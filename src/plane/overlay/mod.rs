@@ -88,9 +88,11 @@ impl Subdivision {
     /// Lays `other` over this subdivision: a is `self`, b is `other`.
     ///
     /// Vertices of a come first, in their order, then those of b that are new, then the crossings; faces are numbered
-    /// as in [`from_graph`](Self::from_graph).
+    /// as in [`from_graph`](Self::from_graph). Both must be planes, as all are that the kit makes
+    /// ([`geometry_violations`](Self::geometry_violations) names none): edges of one of them are not compared with each other.
     ///
-    /// Cost: O((n + k) log n) for n edges of both with k crossings, a few times over if crossings have to be rounded.
+    /// Cost: O((n + k) log n) for n edges of both with k crossings, a few times over if crossings have to be rounded. Where most
+    /// edges of one are far from those of the other, nearly all of the time goes into writing.
     ///
     /// # Errors
     /// [`SegmentsError::TooMany`] if there are more elements than ids; nothing is refused for being close.
@@ -127,7 +129,7 @@ impl Subdivision {
         let mut graph = Graph::default();
         let [places_of_a, places_of_b] = [graph.add(self), graph.add(other)];
         let options = ArrangeOptions { merge: true, split: true, grid, ..ArrangeOptions::default() };
-        let arranged = Self::arrange_graph(&graph.points, &graph.segments, &options)?;
+        let arranged = Self::arrange_two(&graph.points, &graph.segments, self.dcel.edge_count(), &options)?;
         let (of_a, of_b) = graph.halves.split_at(self.dcel.edge_count());
         let edges = arranged.subdivision.dcel.edge_bound();
         let edges_of_a = Sources::new(edges, of_a, |i| arranged.chain(i));

@@ -2,16 +2,16 @@
 
 use super::chains::Split;
 use super::collinear::{Pieces, Stretch};
+use super::crossed::Cuts;
 use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
 use super::split::split as split_all;
-use super::trace::{look, trace};
+use super::trace::{Seen, look, trace};
 use super::{ArrangeOptions, Arranged};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::plane::meet::Grid;
-use crate::plane::sweep::Swept;
+use crate::plane::meet::{Grid, NoMeetings};
 use std::ops::Range;
 
 /// Segments whose points are distinct.
@@ -25,6 +25,8 @@ pub(super) struct Input {
     names: Vec<u32>,
     /// The segments without length, and where they are.
     zero: Vec<(u32, Point)>,
+    /// So many segments at the beginning are known to meet at common ends only, and so are the others, each by themselves.
+    first: Option<usize>,
     /// Whether points were given by themselves, and the faults among them.
     points_given: bool,
     faults: Vec<SegmentFault>,
@@ -42,7 +44,16 @@ impl Input {
             (Distinct::new(&ends), long().map(|(i, _)| i as u32).collect())
         };
         let long = distinct.number.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
-        Self { distinct, count: segments.len(), long, names, zero, points_given: false, faults: Vec::new() }
+        Self {
+            distinct,
+            count: segments.len(),
+            long,
+            names,
+            zero,
+            first: None,
+            points_given: false,
+            faults: Vec::new(),
+        }
     }
 
     /// Points, and segments by the numbers of their ends.
@@ -65,7 +76,22 @@ impl Input {
         } else {
             (0..segments.len()).filter(has_length).map(|i| i as u32).collect()
         };
-        Self { count: segments.len(), long, names, zero, points_given: true, faults, distinct }
+        Self { count: segments.len(), long, names, zero, first: None, points_given: true, faults, distinct }
+    }
+
+    /// The same; the first so many segments are known to meet at common ends only, and so are the others.
+    pub(super) fn two_graphs(self, first: usize) -> Self {
+        Self { first: Some(first), ..self }
+    }
+
+    /// A bit for the first segments, if they are known to meet at common ends only, and one for the others, by edge.
+    fn sets(&self, half: &[u32], edges: usize) -> Vec<u8> {
+        let mut sets = vec![0; edges];
+        if let Some(first) = self.first {
+            let bit = |long: usize| if (self.name(long) as usize) < first { 1 } else { 2 };
+            half.iter().enumerate().for_each(|(i, &h)| sets[(h >> 1) as usize] |= bit(i));
+        }
+        sets
     }
 
     /// The input number of a segment that has length.
@@ -90,16 +116,37 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     let points = std::mem::take(&mut input.distinct.points);
     let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
     let mut given = graph.points.len();
-    let (mut one_rings, mut swept) = look(&graph)?;
-    let mut pieces = Pieces::whole(&graph.edges);
+    let mut pieces = None;
     let mut split = Split::none(graph.edges.len());
     let grid = if options.split { options.grid.map(|size| checked(size, &graph.points)).transpose()? } else { None };
-    if options.split && (swept.intersection.is_some() || grid.is_some()) {
-        pieces = Pieces::new(&graph);
-        graph.edges.clone_from(&pieces.edges);
-        (split, (one_rings, swept)) = split_all(&mut graph, grid)?;
+    let mut cuts = None;
+    if options.split && grid.is_none() {
+        cuts = match Cuts::without_sweep(&graph, &input.sets(&half, graph.edges.len())) {
+            Err(NoMeetings::Overlap) => {
+                pieces = Some(Pieces::cut(&mut graph));
+                Cuts::without_sweep(&graph, &[]).ok()
+            }
+            found => found.ok(),
+        };
     }
-    refuse(&input, &half, &graph, &swept, options.most_faults.clamp(1, usize::MAX - 1))?;
+    let whole = graph.edges.len();
+    let seen = match cuts {
+        Some(cuts) if !cuts.is_empty() => {
+            let seen;
+            (split, seen) = split_all(&mut graph, None, Some(cuts))?;
+            seen
+        }
+        _ => {
+            let mut seen = look(&graph)?;
+            if options.split && (seen.intersection.is_some() || grid.is_some()) {
+                pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));
+                (split, seen) = split_all(&mut graph, grid, None)?;
+            }
+            seen
+        }
+    };
+    let pieces = pieces.unwrap_or_else(|| Pieces::whole(whole));
+    refuse(&input, &half, &graph, &seen, options.most_faults.clamp(1, usize::MAX - 1))?;
 
     let chains = Chains::new(&input, &half, &pieces, &split);
     let mut vertices = if input.points_given { input.distinct.number } else { Vec::new() };
@@ -112,7 +159,7 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         displaced = worst(snapped.displaced);
         grid = Some(snapped.grid.size());
     }
-    let subdivision = trace(graph, one_rings, &swept.below)?;
+    let subdivision = trace(graph, seen)?;
     let collapsed = (0..chains.spans.len()).filter(|&i| chains.spans[i].is_empty()).map(|i| i as u32);
     let zero_length: Vec<u32> = input.zero.into_iter().map(|(segment, _)| segment).collect();
     Ok(Arranged {
@@ -143,11 +190,11 @@ fn checked(size: f64, points: &[Point]) -> Result<Grid, SegmentsError> {
 }
 
 /// Fails if anything was found that the options do not allow, with not more than `limit` faults.
-fn refuse(input: &Input, half: &[u32], graph: &Graph, swept: &Swept, limit: usize) -> Result<(), SegmentsError> {
+fn refuse(input: &Input, half: &[u32], graph: &Graph, seen: &Seen, limit: usize) -> Result<(), SegmentsError> {
     let mut faults = input.faults.clone();
     let mut more = faults.len() > limit;
     faults.truncate(limit);
-    if swept.intersection.is_some() && !more {
+    if seen.intersection.is_some() && !more {
         // The first segment with the ends of an edge gives it its name.
         let mut names = vec![0; graph.edges.len()];
         for (i, &h) in half.iter().enumerate().rev() {

@@ -19,11 +19,8 @@ use crate::plane::sweep::rightwards;
 use std::cmp::Ordering;
 use std::ops::Range;
 
-/// Edges of which no two overlap, and how the edges before were made of them.
+/// How the edges of before are made of edges of which no two overlap: the pieces.
 pub(super) struct Pieces {
-    /// The pieces: those of edge 0 first, then those of edge 1 that are new, and so on, each as the first of its edges
-    /// runs.
-    pub(super) edges: Vec<[u32; 2]>,
     /// Half-edges of pieces (twice the piece, plus 1 against it), line by line in order.
     pub(super) runs: Vec<u32>,
     /// By edge: its stretch of `runs`.
@@ -39,26 +36,27 @@ pub(super) struct Stretch {
 }
 
 impl Pieces {
-    /// Every edge is its own piece.
-    pub(super) fn whole(edges: &[[u32; 2]]) -> Self {
-        let count = edges.len() as u32;
+    /// Every one of so many edges is its own piece.
+    pub(super) fn whole(edges: usize) -> Self {
+        let count = edges as u32;
         Self {
-            edges: edges.to_vec(),
             runs: (0..count).map(|e| 2 * e).collect(),
             stretches: (0..count).map(|e| Stretch { range: e..e + 1, backwards: false }).collect(),
         }
     }
 
-    /// Cuts edges that overlap. No two edges may have the same ends.
+    /// Cuts edges of the graph that overlap. No two edges may have the same ends.
     ///
     /// Cost: O(n log n); exact arithmetic only among edges of nearly the same slope.
-    pub(super) fn new(graph: &Graph) -> Self {
+    pub(super) fn cut(graph: &mut Graph) -> Self {
         let lines = Lines::new(graph);
         let clusters = lines.overlapping();
         if clusters.is_empty() {
-            return Self::whole(&graph.edges);
+            return Self::whole(graph.edges.len());
         }
-        lines.cut(graph, &clusters)
+        let (edges, pieces) = lines.cut(graph, &clusters);
+        graph.edges = edges;
+        pieces
     }
 }
 
@@ -140,8 +138,9 @@ impl<'a> Lines<'a> {
         turn([a, b], [c, d]).then_with(|| orientation(a, b, c))
     }
 
-    /// The pieces of edges of which the clusters overlap.
-    fn cut(&self, graph: &Graph, clusters: &[Vec<u32>]) -> Pieces {
+    /// The pieces of edges of which the clusters overlap: those of edge 0 first, then those of edge 1 that are new, and so
+    /// on, each as the first of its edges runs.
+    fn cut(&self, graph: &Graph, clusters: &[Vec<u32>]) -> (Vec<[u32; 2]>, Pieces) {
         const NONE: u32 = u32::MAX;
         let mut runs: Vec<[u32; 2]> = Vec::with_capacity(graph.edges.len());
         let mut stretches = vec![Stretch { range: 0..0, backwards: false }; graph.edges.len()];
@@ -190,7 +189,7 @@ impl<'a> Lines<'a> {
                 edges.push(if stretch.backwards { [b, a] } else { [a, b] });
             }
         }
-        Pieces { edges, runs: number, stretches }
+        (edges, Pieces { runs: number, stretches })
     }
 }
 
@@ -258,14 +257,14 @@ mod tests {
     }
 
     /// The chain of points of an edge.
-    fn chain(pieces: &Pieces, e: usize) -> Vec<u32> {
+    fn chain(made: &Graph, pieces: &Pieces, e: usize) -> Vec<u32> {
         let Stretch { range, backwards } = pieces.stretches[e].clone();
         let mut halves = pieces.runs[range.start as usize..range.end as usize].to_vec();
         if backwards {
             halves = halves.iter().rev().map(|h| h ^ 1).collect();
         }
         let ends = |h: u32| {
-            let [a, b] = pieces.edges[(h >> 1) as usize];
+            let [a, b] = made.edges[(h >> 1) as usize];
             if h & 1 == 0 { [a, b] } else { [b, a] }
         };
         halves.windows(2).for_each(|pair| assert_eq!(ends(pair[0])[1], ends(pair[1])[0]));
@@ -287,7 +286,8 @@ mod tests {
             let mut end = || (next(size), next(size));
             let list: Vec<_> = (0..14).map(|_| [end(), end()]).filter(|[a, b]| a != b).collect();
             let graph = graph(&list);
-            let pieces = Pieces::new(&graph);
+            let mut made = graph.clone();
+            let pieces = Pieces::cut(&mut made);
             let at = |p: u32| graph.points[p as usize];
             let overlap = |e: [u32; 2], g: [u32; 2]| {
                 let ([a, b], [c, d]) = (e.map(at), g.map(at));
@@ -296,12 +296,12 @@ mod tests {
                     (key(a).min(key(b)).max(key(c).min(key(d))), key(a).max(key(b)).min(key(c).max(key(d))));
                 orientation(a, b, c).is_eq() && orientation(a, b, d).is_eq() && low < high
             };
-            for (i, &e) in pieces.edges.iter().enumerate() {
-                assert!(pieces.edges[..i].iter().all(|&g| !overlap(e, g)), "seed {seed}: pieces overlap");
+            for (i, &e) in made.edges.iter().enumerate() {
+                assert!(made.edges[..i].iter().all(|&g| !overlap(e, g)), "seed {seed}: pieces overlap");
             }
             let mut new = 0;
             for (e, &[a, b]) in graph.edges.iter().enumerate() {
-                let points = chain(&pieces, e);
+                let points = chain(&made, &pieces, e);
                 assert_eq!([points[0], points[points.len() - 1]], [a, b], "seed {seed}");
                 cut += points.len() - 2;
                 // Each point in between is an end of an edge on the same line, in order along the edge.
@@ -316,7 +316,7 @@ mod tests {
                 assert!(run.iter().all(|h| (h >> 1) < new + run.len() as u32), "seed {seed}");
                 new = run.iter().map(|h| (h >> 1) + 1).chain([new]).max().unwrap_or(new);
             }
-            assert_eq!(new as usize, pieces.edges.len(), "seed {seed}: pieces of no edge");
+            assert_eq!(new as usize, made.edges.len(), "seed {seed}: pieces of no edge");
         }
         assert!(cut > 500, "{cut}");
     }
@@ -353,22 +353,23 @@ mod tests {
             let beside = list.iter().map(|&[(ax, ay), (bx, by)]| [(ax, ay + 1), (bx, by + 1)]).collect::<Vec<_>>();
             list.extend(beside);
             let graph = graph(&list);
-            let pieces = Pieces::new(&graph);
+            let mut made = graph.clone();
+            let pieces = Pieces::cut(&mut made);
             let ends = |e: &[u32; 2]| {
                 let [a, b] = e.map(|p| graph.points[p as usize]);
                 if left_to_right(a, b).is_lt() { [a, b] } else { [b, a] }
             };
             let later = |a: Point, b: Point| if left_to_right(a, b).is_lt() { b } else { a };
             let sooner = |a: Point, b: Point| if left_to_right(a, b).is_lt() { a } else { b };
-            for (i, e) in pieces.edges.iter().enumerate() {
-                for g in &pieces.edges[..i] {
+            for (i, e) in made.edges.iter().enumerate() {
+                for g in &made.edges[..i] {
                     let ([a, b], [c, d]) = (ends(e), ends(g));
                     let one_line = orientation(a, b, c).is_eq() && orientation(a, b, d).is_eq();
                     let common = left_to_right(later(a, c), sooner(b, d)).is_lt();
                     assert!(!(one_line && common), "round {round}: {list:?}");
                 }
             }
-            cut += pieces.edges.len().saturating_sub(graph.edges.len());
+            cut += made.edges.len().saturating_sub(graph.edges.len());
         }
         assert!(cut > 5000, "{cut}");
     }

@@ -7,6 +7,8 @@
 //!                                                                                             or split (split.rs)
 //! ```
 //!
+//! What is to be split is first looked for without a sweep: `crossed.rs`, and after the cuts `settled.rs`.
+//!
 //! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
 //!
 //! Dangling edges, single edges, isolated points, nested inner components and several components are all legal.
@@ -14,12 +16,14 @@
 //! ```text
 //!   arrange.rs   The way from given segments to a subdivision, step by step
 //!   chains.rs    What became of the edges of a graph that was split
+//!   crossed.rs   The first cuts of all edges, from the pairs that meet
 //!   dangles.rs   Edges that bound nothing
 //!   disk.rs      Edges that fill a disk
 //!   error.rs     Why segments are no plane graph
 //!   holes.rs     Marking hole faces
 //!   part.rs      The subdivision of some of the edges of another
 //!   pixels.rs    The hot pixels that a segment passes
+//!   settled.rs   A look at a graph of which only some edges are new
 //!   touching.rs  Points that lie inside the sides of polygons
 //!   watched.rs   The sweep by itself, for who watches it
 //! ```
@@ -27,6 +31,7 @@
 mod arrange;
 mod chains;
 mod collinear;
+mod crossed;
 mod dangles;
 mod disk;
 mod error;
@@ -35,6 +40,7 @@ mod graph;
 mod holes;
 mod part;
 mod pixels;
+mod settled;
 mod snap;
 mod split;
 mod touching;
@@ -266,6 +272,7 @@ impl Subdivision {
     /// those of the input, from left to right.
     ///
     /// Cost: O((n + k) log n) time for n segments with k intersections, a few times over if they are split; memory O(n + k).
+    /// Segments that are about as long as they are apart, and are split, are compared in the cells of a grid, without a sweep.
     /// Where m segments overlap on one line, k counts their ends, not their pairs. A grid takes O(√n) for each long
     /// segment beside.
     ///
@@ -300,13 +307,27 @@ impl Subdivision {
         segments: &[[u32; 2]],
         options: &ArrangeOptions,
     ) -> Result<Arranged, SegmentsError> {
+        arrange(Self::input(points, segments, options)?, options)
+    }
+
+    /// The same for the edges of two subdivisions, those of the first one first.
+    pub(super) fn arrange_two(
+        points: &[Point],
+        segments: &[[u32; 2]],
+        first: usize,
+        options: &ArrangeOptions,
+    ) -> Result<Arranged, SegmentsError> {
+        arrange(Self::input(points, segments, options)?.two_graphs(first), options)
+    }
+
+    fn input(points: &[Point], segments: &[[u32; 2]], options: &ArrangeOptions) -> Result<Input, SegmentsError> {
         check_points(points)?;
         for (i, &end) in segments.as_flattened().iter().enumerate() {
             if end as usize >= points.len() {
                 return Err(SegmentsError::NoSuchPoint { segment: i as u32 / 2, point: end, points: points.len() });
             }
         }
-        arrange(Input::graph(points, segments, options), options)
+        Ok(Input::graph(points, segments, options))
     }
 }
 

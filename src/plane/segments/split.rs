@@ -16,35 +16,40 @@
 //! settles: see `snap.rs`.
 
 use super::chains::Split;
+use super::crossed::Cuts;
 use super::graph::{Graph, Single};
+use super::settled::look_at_bent;
 use super::snap::{Plain, snap};
-use super::trace::{OneRings, look};
+use super::trace::{Seen, look};
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::left_to_right;
-use crate::plane::Point;
 use crate::plane::meet::{EventPlace, Grid, visit_intersections};
-use crate::plane::sweep::Swept;
 use crate::topology::TooMany;
 use std::ops::ControlFlow;
 
 /// Rounds after which a grid is used. One or two are usual.
 const PLAIN_ROUNDS: u32 = 4;
 
+/// Where less than this part of the edges was cut, not all of them are looked at again.
+const FEW_CUTS: usize = 8;
+
 /// Splits the edges of `graph` until nothing meets; on the grid, if there is one, else in place where that settles. Also
-/// gives what the last look at the graph, the one that found nothing, has seen.
+/// gives what the last look at the graph, the one that found nothing, has seen. The cuts of the first round may be known.
 ///
 /// Cost: O((n + k) log n) a round, with k intersections; see [`snap`] for the grid.
 ///
 /// # Errors
 /// If there are more half-edges than ids.
-pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (OneRings, Swept)), TooMany> {
+pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) -> Result<(Split, Seen), TooMany> {
     let given = graph.points.len();
     let edges = graph.edges.clone();
     let mut split = Split::none(edges.len());
+    let mut known = first;
     while grid.is_none() && split.rounds < PLAIN_ROUNDS {
         // Bent edges that cross more often than there are edges do not settle: every round would find still more.
         let most = if split.rounds == 0 { usize::MAX } else { graph.edges.len() };
-        let Some(Cuts { cuts, new }) = find_cuts(graph, most) else { break };
+        let all_is_known = known.is_some();
+        let Some(Cuts { cuts, new }) = known.take().or_else(|| find_cuts(graph, most)) else { break };
         if cuts.is_empty() {
             return Ok((split, look(graph)?));
         }
@@ -65,23 +70,26 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (On
         let Single { edges, half } = Single::new(graph.points.len(), &pieces, |_, _| {});
         graph.edges = edges;
         split.follow(&starts, &half);
+        if all_is_known && cuts.len() < graph.edges.len() / FEW_CUTS {
+            let mut is_bent = vec![false; starts.len() - 1];
+            cuts.iter().filter(|&&(_, p)| p >= old).for_each(|&(edge, _)| is_bent[edge as usize] = true);
+            let mut is_straight = vec![0; graph.edges.len()];
+            for (pieces, _) in starts.windows(2).zip(is_bent).filter(|&(_, is_bent)| !is_bent) {
+                let pieces = &half[pieces[0] as usize..pieces[1] as usize];
+                pieces.iter().for_each(|piece| is_straight[(piece >> 1) as usize] = 1);
+            }
+            if let Some(seen) = look_at_bent(graph, &is_straight)? {
+                return Ok((split, seen));
+            }
+        }
         // Looking stops at the first intersection: it is the cheaper proof that there is none.
         let seen = look(graph)?;
-        if seen.1.intersection.is_none() {
+        if seen.intersection.is_none() {
             return Ok((split, seen));
         }
     }
     let split = snap(graph, &Plain { split, given, edges: &edges }, grid);
     Ok((split, look(graph)?))
-}
-
-/// The cuts of one round.
-struct Cuts {
-    /// Edges with the points where they are to be cut, in the order of the sweep. Points from the number of the
-    /// graph's points on are new.
-    cuts: Vec<(u32, u32)>,
-    /// The new points, and how far each is from its crossing.
-    new: Vec<(Point, f64)>,
 }
 
 /// Where edges are to be cut; none if there are more than `most` crossings.
@@ -146,5 +154,89 @@ impl Split {
         }
         chain_starts.push(chain.len() as u32);
         (self.starts, self.chain) = (chain_starts, chain);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::collinear::Pieces;
+    use super::super::graph::Distinct;
+    use super::super::trace::trace;
+    use super::*;
+    use crate::plane::Point;
+    use crate::plane::sweep::tests::numbers;
+
+    fn graph(segments: &[[Point; 2]]) -> Graph {
+        let Distinct { points, by_place, number } = Distinct::new(segments.as_flattened());
+        let ends: Vec<[u32; 2]> =
+            number.chunks_exact(2).map(|ends| [ends[0], ends[1]]).filter(|[a, b]| a != b).collect();
+        let mut graph = Graph { edges: Single::new(points.len(), &ends, |_, _| {}).edges, points, by_place };
+        Pieces::cut(&mut graph);
+        graph
+    }
+
+    /// Long segments over many short ones that do not meet: few cuts.
+    fn few_cuts(next: &mut impl FnMut(u64) -> u64) -> Vec<[Point; 2]> {
+        let mut segments: Vec<[Point; 2]> = Vec::new();
+        for i in 0..400 + next(100) {
+            let (x, y) = ((i % 20) as f64, (i / 20) as f64);
+            let to = Point::new(x + 0.1 * next(8) as f64, y + 0.1 + 0.1 * next(8) as f64);
+            segments.push([Point::new(x, y), to]);
+        }
+        for _ in 0..1 + next(3) {
+            let [x, y] = [next(18), next(18)].map(|x| x as f64 + 0.3);
+            segments.push([Point::new(x, y), Point::new(x + 1.0 + 0.3 * next(9) as f64, y + 0.7)]);
+        }
+        segments
+    }
+
+    #[test]
+    fn cuts_and_what_comes_of_them_are_those_of_the_sweep() {
+        let (mut known, mut new, mut left, mut without_sweep) = (0, 0, 0, 0);
+        for seed in 1..900_u64 {
+            let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let segments = match seed % 4 {
+                0 => few_cuts(&mut next),
+                // Squares in rows: their crossings lie above each other up to rounding.
+                1 => (0..36)
+                    .flat_map(|i| {
+                        let off = if i % 2 == 0 { 0.0 } else { 0.35 };
+                        let (x, y) =
+                            (f64::from(i / 12) + off, f64::from(i / 2 % 6) * (1.0 + (seed / 4) as f64) + 1.1 * off);
+                        let corners = [(x, y), (x + 0.7, y + 0.01), (x + 0.69, y + 0.71), (x - 0.01, y + 0.7)];
+                        [0, 1, 2, 3].map(|i| [corners[i], corners[(i + 1) % 4]].map(Point::from))
+                    })
+                    .collect(),
+                kind => {
+                    let size = if kind == 2 { 9 } else { 1 << 30 };
+                    let mut place = || Point::new(next(size) as f64 * 0.7, next(size) as f64);
+                    (0..30).map(|_| [place(), place()]).collect::<Vec<_>>()
+                }
+            };
+            let graph = graph(&segments);
+            let swept = find_cuts(&graph, usize::MAX).unwrap();
+            let Ok(cuts) = Cuts::without_sweep(&graph, &[]) else {
+                left += 1;
+                continue;
+            };
+            assert_eq!(cuts.new, swept.new, "seed {seed}");
+            let mut by_edge = swept.cuts;
+            by_edge.sort_by_key(|&(edge, _)| edge);
+            let mut found = cuts.cuts.clone();
+            found.sort_by_key(|&(edge, _)| edge);
+            assert_eq!(found, by_edge, "seed {seed}");
+            known += 1;
+            new += cuts.new.len();
+
+            let few = cuts.cuts.len() < graph.edges.len() / FEW_CUTS;
+            let (mut one, mut other) = (graph.clone(), graph);
+            let (split_one, seen_one) = split(&mut one, None, None).unwrap();
+            let (split_other, seen_other) = split(&mut other, None, Some(cuts)).unwrap();
+            assert_eq!(split_one.chain, split_other.chain, "seed {seed}");
+            assert_eq!((split_one.made, split_one.rounds), (split_other.made, split_other.rounds), "seed {seed}");
+            without_sweep += u32::from(few && !seen_other.is_swept());
+            assert_eq!(trace(one, seen_one).unwrap(), trace(other, seen_other).unwrap(), "seed {seed}");
+        }
+        assert!(known > 500 && new > 20_000 && without_sweep > 100, "{known} {new} {left} {without_sweep}");
     }
 }

@@ -14,8 +14,9 @@
 use super::graph::Graph;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::Subdivision;
+use crate::plane::below::edges_below;
 use crate::plane::rings::Loose;
-use crate::plane::sweep::{NOTHING, OneRing, Swept, sweep_in_order};
+use crate::plane::sweep::{Intersection, NOTHING, OneRing, Swept, sweep_in_order};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 
 const NONE: u32 = Columns::NONE;
@@ -82,26 +83,50 @@ impl OneRings {
     }
 }
 
-/// Sweeps over the graph: the first intersection, what lies below each vertex, and, if nothing meets, all one-rings.
-pub(super) fn look(graph: &Graph) -> Result<(OneRings, Swept), TooMany> {
-    let mut one_rings = OneRings::new(graph)?;
-    let swept =
-        sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |one_ring| one_rings.link(&one_ring));
-    Ok((one_rings, swept))
+/// What a look at a graph has found.
+pub(super) struct Seen {
+    /// All one-rings, if nothing meets.
+    one_rings: OneRings,
+    /// The edge directly below each point, `NOTHING` if there is none. Not known where nothing was swept over.
+    below: Option<Vec<u32>>,
+    /// The first intersection.
+    pub(super) intersection: Option<Intersection>,
 }
 
-/// The subdivision that the edges of a graph cut the plane into. The graph must have no intersections; `one_rings` has the
-/// one-rings of all its vertices; `below` is what the sweep found below each vertex.
+/// Sweeps over the graph: the first intersection, what lies below each vertex, and, if nothing meets, all one-rings.
+pub(super) fn look(graph: &Graph) -> Result<Seen, TooMany> {
+    let mut one_rings = OneRings::new(graph)?;
+    let Swept { below, intersection } =
+        sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |one_ring| one_rings.link(&one_ring));
+    Ok(Seen { one_rings, below: Some(below), intersection })
+}
+
+impl Seen {
+    /// All one-rings of a graph in which nothing meets.
+    pub(super) fn without_sweep(one_rings: OneRings) -> Self {
+        Self { one_rings, below: None, intersection: None }
+    }
+
+    /// Whether a sweep has seen it.
+    #[cfg(test)]
+    pub(super) fn is_swept(&self) -> bool {
+        self.below.is_some()
+    }
+}
+
+/// The subdivision that the edges of a graph cut the plane into. The look at it has found no intersections.
 ///
 /// Vertex i of the graph is v(i), edge i is e(i), its even half runs as given. `outgoing(v)` is the first half-edge
 /// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
 /// half-edge, which is their `half_edge`.
 ///
 /// Cost: O(n log n).
-pub(super) fn trace(graph: Graph, one_rings: OneRings, below: &[u32]) -> Result<Subdivision, TooMany> {
-    let Graph { points, by_place, .. } = graph;
-    let mut columns = one_rings.columns;
+pub(super) fn trace(graph: Graph, seen: Seen) -> Result<Subdivision, TooMany> {
+    let Graph { points, edges, by_place } = graph;
+    let mut columns = seen.one_rings.columns;
     let loose = cycles(&mut columns, &by_place)?;
+    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
+    let below = seen.below.unwrap_or_else(|| edges_below(&points, &edges, &by_place, leftmost));
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
     let edge_below = |v: VertexId| match below[v.index()] {
         NOTHING => None,

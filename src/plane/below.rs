@@ -1,0 +1,101 @@
+//! The edges directly below some points: for few points less than a sweep.
+//!
+//! ```text
+//!        ●───────●            Points asked for, from left to right: p q. Each edge knows by two counts which of them it
+//!            p                passes above or below; of those below a point the highest is kept.
+//!     ●───────────────●
+//!          q ●                Counts of points asked for up to the left and up to the right end of an edge: 0 and 2
+//!     ●──────────●            for the lowest.
+//! ```
+
+use super::Point;
+use super::sweep::{NOTHING, is_above, sweep_in_order};
+use crate::geometry::predicates::{left_to_right, orientation};
+
+/// So many edges above and below points are looked at for each edge; a sweep is quicker than more of them.
+const MOST: usize = 4;
+
+/// For each point asked for, the edge directly below it, else [`NOTHING`]; for all other points some answer. The edges meet at
+/// common ends only; `by_place` holds all points from left to right.
+///
+/// Cost: O(n + k) for n edges that pass above or below points asked for k times; O(n log n) where k is more than a few n.
+pub(super) fn edges_below(
+    points: &[Point],
+    edges: &[[u32; 2]],
+    by_place: &[u32],
+    asked: impl Iterator<Item = u32>,
+) -> Vec<u32> {
+    let mut below = vec![NOTHING; points.len()];
+    let mut is_asked = vec![false; points.len()];
+    asked.for_each(|p| is_asked[p as usize] = true);
+    // Nothing lies below the first point of all.
+    by_place.iter().take(1).for_each(|&p| is_asked[p as usize] = false);
+    let asked: Vec<u32> = by_place.iter().copied().filter(|&p| is_asked[p as usize]).collect();
+    if asked.is_empty() {
+        return below;
+    }
+    let mut count = vec![0_u32; points.len()];
+    let mut sum = 0;
+    for &p in by_place {
+        sum += u32::from(is_asked[p as usize]);
+        count[p as usize] = sum;
+    }
+    let passed = |ends: &[u32; 2]| {
+        let [a, b] = ends.map(|p| count[p as usize]);
+        a.min(b) as usize..a.max(b) as usize
+    };
+    let work: usize = edges.iter().map(|ends| passed(ends).len()).sum();
+    if work > MOST * edges.len() {
+        return sweep_in_order(points, edges, by_place, false, |_| ()).below;
+    }
+    let rightwards = |edge: [u32; 2]| {
+        let [a, b] = edge.map(|p| points[p as usize]);
+        if left_to_right(a, b).is_gt() { [b, a] } else { [a, b] }
+    };
+    for (e, &edge) in (0..).zip(edges) {
+        for &p in &asked[passed(&edge)] {
+            let [a, b] = rightwards(edge);
+            let best = &mut below[p as usize];
+            let is_below = orientation(a, b, points[p as usize]).is_gt();
+            if is_below && (*best == NOTHING || is_above([a, b], rightwards(edges[*best as usize]))) {
+                *best = e;
+            }
+        }
+    }
+    below
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::sweep::tests::numbers;
+    use crate::plane::{ArrangeOptions, Subdivision};
+
+    #[test]
+    fn some_points_have_the_same_edge_below_as_all_of_them() {
+        let (mut found, mut swept) = (0, 0);
+        for seed in 1..400_u64 {
+            let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let count = 2 + next(40);
+            // Many points above each other, and upright edges.
+            let mut place = || Point::new(next(9) as f64, next(9) as f64 / 2.0);
+            let segments: Vec<[Point; 2]> = (0..count).map(|_| [place(), place()]).collect();
+            let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };
+            let s = Subdivision::arrange_segments(&segments, &options).unwrap().subdivision;
+            let points: Vec<Point> = s.vertices().map(|v| s.point(v)).collect();
+            let edges: Vec<[u32; 2]> = s.edges().map(|e| s.edge_ends(e).map(|v| v.number())).collect();
+            let mut by_place: Vec<u32> = (0..points.len() as u32).collect();
+            by_place.sort_by(|&a, &b| left_to_right(points[a as usize], points[b as usize]));
+            let all = sweep_in_order(&points, &edges, &by_place, false, |_| ()).below;
+            let share = 1 + next(12);
+            let asked: Vec<u32> = by_place.iter().copied().filter(|_| next(share) == 0).collect();
+            let some = edges_below(&points, &edges, &by_place, asked.iter().copied());
+            for p in asked {
+                assert_eq!(some[p as usize], all[p as usize], "seed {seed}, point {p}");
+                found += u32::from(some[p as usize] != NOTHING);
+            }
+            swept += u32::from(some == all);
+        }
+        assert!(found > 1_000 && swept > 20 && swept < 380, "{found} {swept}");
+    }
+}

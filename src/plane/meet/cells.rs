@@ -1,0 +1,492 @@
+//! All pairs of edges that meet, found in the cells of a grid: without any order, and without a sweep line.
+//!
+//! ```text
+//!   ┌───┬───┬───┐      An edge is in the list of each cell that it passes, so that two edges meet in the cell where
+//!   │  ╱│   │ ╲ │      both are listed. A cell with many edges is divided by a grid of its own. Pairs are decided by
+//!   ├─╱─┼───┼──╲┤      exact orientations; cells only say which pairs are worth it.
+//!   │╱  │━━━━━━━│╲
+//!   └───┴───┴───┘
+//! ```
+//!
+//! Whether an edge passes a cell is asked in rounded numbers, with a margin far wider than the rounding: some cells too many.
+//!
+//! Cost: expected O(n + k) for n edges with k meeting pairs, if edges are about as long as they are apart. Where that is
+//! not so, the work breaks off after O(n + k) steps, and the sweep has to do it.
+//!
+//! Source: Franklin, Narayanaswami, Kankanhalli, Sun, Zhou and Wu, *Uniform grids: a technique for intersection detection
+//! on serial and parallel machines*, Auto-Carto 9, 1989.
+
+use crate::geometry::point::corners;
+use crate::geometry::predicates::{left_to_right, orientation};
+use crate::plane::Point;
+use std::cmp::Ordering;
+
+/// What meets.
+#[derive(Default)]
+pub(in crate::plane) struct Meetings {
+    /// The edges that cross in a point interior to both, each pair once, the smaller number first.
+    pub(in crate::plane) crossings: Vec<[u32; 2]>,
+    /// Edges with points in their interiors, each pair once.
+    pub(in crate::plane) touches: Vec<[u32; 2]>,
+}
+
+/// Why there is no answer.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::plane) enum NoMeetings {
+    /// Two edges share more than a point.
+    Overlap,
+    /// A sweep is needed: pair by pair the work is more, or pairs do not tell all.
+    LeftToSweep,
+}
+
+/// So many edges of a cell are compared pair by pair.
+const FEW: usize = 10;
+/// So many edges a cell has on the average, where large cells come first.
+const MANY: f64 = 64.0;
+/// Steps for each edge and each meeting pair, after which the work breaks off.
+const STEPS: usize = 48;
+/// The margin round a cell, as a part of its side.
+const MARGIN: f64 = 1.0 / 64.0;
+/// No cell is narrower or lower than this part of the whole. Then places in a grid are off by a few 2^-33 of a cell, and the
+/// place where an edge passes a line by 2^20 times that, since it is 2^20 cells wide at most: far less than the margin.
+const FINEST: f64 = 1.0 / (1 << 20) as f64;
+/// Says that an item is in several cells, or in none.
+const MANY_CELLS: u32 = u32::MAX;
+/// So often a cell that has nearly all edges of a grid is divided again.
+const PATIENCE: u32 = 3;
+
+/// Finds what meets among edges that run from left to right, and points that are loose. Edges have two different ends, no two
+/// the same ones; points are distinct.
+///
+/// `sets[e]` has a bit for each set that edge e belongs to. Edges of one set are known to meet at common ends only: they are
+/// not compared with each other.
+///
+/// # Errors
+/// [`NoMeetings`].
+pub(in crate::plane) fn meetings(
+    points: &[Point],
+    edges: &[[u32; 2]],
+    loose: &[u32],
+    sets: &[u8],
+) -> Result<Meetings, NoMeetings> {
+    let [low, high] = corners(points.iter().copied());
+    let whole = Frame { low: [0.0; 2], size: [high.x - low.x, high.y - low.y] };
+    let finest = whole.size.map(|size| FINEST * size);
+    let mut search = Search { points, edges, loose, sets, low, finest, found: Meetings::default(), steps: 0 };
+    let items: Vec<u32> = (0..(edges.len() + loose.len()) as u32).collect();
+    // Where sets are known, large cells come first: most of them have the edges of one set only, and are done.
+    let large = [(items.len() as f64 / MANY).sqrt() as usize; 2];
+    let sides = if sets.is_empty() { search.sides(&items, &whole) } else { large };
+    search.compare(&items, &whole, sides, PATIENCE)?;
+    let mut found = search.found;
+    for list in [&mut found.crossings, &mut found.touches] {
+        list.sort_unstable();
+        list.dedup();
+    }
+    Ok(found)
+}
+
+/// A rectangle, from the lower left corner of everything.
+struct Frame {
+    low: [f64; 2],
+    size: [f64; 2],
+}
+
+/// A grid over a frame.
+struct Cells {
+    low: [f64; 2],
+    /// Cells for each unit of length.
+    scale: [f64; 2],
+    count: [usize; 2],
+}
+
+impl Cells {
+    /// So many columns and rows; one where the frame has no width.
+    fn new(frame: &Frame, sides: [usize; 2]) -> Self {
+        let count = [0, 1].map(|i| if frame.size[i] > 0.0 { sides[i].max(1) } else { 1 });
+        let scale = [0, 1].map(|i| if frame.size[i] > 0.0 { count[i] as f64 / frame.size[i] } else { 0.0 });
+        Self { low: frame.low, scale, count }
+    }
+
+    /// A cell with its margin.
+    fn frame(&self, column: usize, row: usize) -> Frame {
+        let side = |i: usize, at: usize| match self.scale[i] {
+            0.0 => (self.low[i], 0.0),
+            scale => (self.low[i] + (at as f64 - MARGIN) / scale, (1.0 + 2.0 * MARGIN) / scale),
+        };
+        let [(x, width), (y, height)] = [side(0, column), side(1, row)];
+        Frame { low: [x, y], size: [width, height] }
+    }
+
+    /// Calls for each row of cells that an edge passes, with the columns from the first to the last.
+    ///
+    /// ```text
+    ///     ┌───┬───┬───┬───┐       What an edge covers of a row lies between its places at the lower and the upper
+    ///   1 │   │   │ ▒▒│▒╱ │       side of the row.
+    ///     ├───┼───┼──╱┼───┤
+    ///   0 │   │▒╱▒│▒▒ │   │
+    ///     └───┴───┴───┴───┘
+    /// ```
+    #[inline]
+    fn rows_of(&self, [a, b]: [[f64; 2]; 2], mut see: impl FnMut(usize, usize, usize)) {
+        let place = |p: [f64; 2]| [0, 1].map(|i| (p[i] - self.low[i]) * self.scale[i]);
+        let ([mut u, mut v], [mut s, mut t]) = (place(a), place(b));
+        if v > t {
+            (u, v, s, t) = (s, t, u, v);
+        }
+        let Some((bottom, top)) = span(v, t, self.count[1]) else { return };
+        let Some((left, right)) = span(u.min(s), u.max(s), self.count[0]) else { return };
+        if top - bottom < 2 || left == right {
+            (bottom..=top).for_each(|row| see(row, left, right));
+            return;
+        }
+        let slope = (s - u) / (t - v);
+        for row in bottom..=top {
+            let [from, to] = [row as f64 - MARGIN, (row + 1) as f64 + MARGIN].map(|at| at.clamp(v, t));
+            let [from, to] = [from, to].map(|at| u + (at - v) * slope);
+            if let Some((first, last)) = span(from.min(to), from.max(to), self.count[0]) {
+                see(row, first.max(left), last.min(right));
+            }
+        }
+    }
+}
+
+/// The cells from one place to another of a row of so many, and those within the margin; none where all lies beside them.
+#[inline]
+fn span(low: f64, high: f64, count: usize) -> Option<(usize, usize)> {
+    // Casts to signed numbers are the quick ones; they end at the greatest and the smallest number.
+    let (first, last) = ((low - MARGIN) as i64, high + MARGIN);
+    let is_inside = last >= 0.0 && first < count as i64;
+    is_inside.then(|| (first.max(0) as usize, (last as i64 as usize).min(count - 1)))
+}
+
+/// Edges, and behind them loose points, which are edges from themselves to themselves: the items.
+struct Search<'a> {
+    points: &'a [Point],
+    edges: &'a [[u32; 2]],
+    loose: &'a [u32],
+    sets: &'a [u8],
+    low: Point,
+    /// No cell is narrower, nor lower.
+    finest: [f64; 2],
+    found: Meetings,
+    steps: usize,
+}
+
+impl Search<'_> {
+    /// The ends of an item by their numbers.
+    #[inline]
+    fn ends(&self, item: u32) -> [u32; 2] {
+        match self.edges.get(item as usize) {
+            Some(&ends) => ends,
+            None => [self.loose[item as usize - self.edges.len()]; 2],
+        }
+    }
+
+    #[inline]
+    fn set(&self, item: u32) -> u8 {
+        self.sets.get(item as usize).copied().unwrap_or(0)
+    }
+
+    /// An end from the lower left corner of everything.
+    #[inline]
+    fn offset(&self, point: u32) -> [f64; 2] {
+        let p = self.points[point as usize];
+        [p.x - self.low.x, p.y - self.low.y]
+    }
+
+    fn spend(&mut self, steps: usize) -> Result<(), NoMeetings> {
+        self.steps += steps;
+        let found = self.found.crossings.len() + self.found.touches.len();
+        let most = STEPS * (self.edges.len() + self.loose.len() + found);
+        if self.steps > most { Err(NoMeetings::LeftToSweep) } else { Ok(()) }
+    }
+
+    /// Compares the items of a frame: in the cells of a grid with so many columns and rows, or pair by pair.
+    fn compare(&mut self, items: &[u32], frame: &Frame, sides: [usize; 2], patience: u32) -> Result<(), NoMeetings> {
+        if sides[0] * sides[1] < 2 {
+            self.pairs(items)
+        } else {
+            self.divide(items, &Cells::new(frame, sides), patience)
+        }
+    }
+
+    /// How many columns and rows divide a frame best: a cell for three items, but none narrower than items are wide there, nor
+    /// lower than they are high.
+    fn sides(&self, items: &[u32], frame: &Frame) -> [usize; 2] {
+        let within = |item: u32, i: usize| {
+            let [a, b] = self.ends(item).map(|p| self.offset(p)[i]);
+            (a.max(b).min(frame.low[i] + frame.size[i]) - a.min(b).max(frame.low[i])).max(0.0)
+        };
+        let mean = |i: usize| items.iter().map(|&item| within(item, i)).sum::<f64>() / items.len() as f64;
+        // A cast takes what is no number for 0.
+        let most = [0, 1].map(|i| ((frame.size[i] / mean(i).max(self.finest[i])) as usize).max(1));
+        let cells = (items.len() / 3).max(1);
+        let side = (cells as f64).sqrt().ceil() as usize;
+        let [columns, rows] = most.map(|most| side.min(most));
+        [(cells / rows).clamp(1, most[0]), (cells / columns).clamp(1, most[1])]
+    }
+
+    /// Looks at the items cell by cell.
+    fn divide(&mut self, items: &[u32], cells: &Cells, patience: u32) -> Result<(), NoMeetings> {
+        let number = |column: usize, row: usize| row * cells.count[0] + column;
+        let mut starts = vec![0_u32; cells.count[0] * cells.count[1] + 1];
+        // Where all items of a cell are of one set, nothing meets.
+        let mut sets = vec![u8::MAX; starts.len()];
+        let mut sum = 0_usize;
+        // Most items are in one cell, which is kept.
+        let mut homes: Vec<u32> = Vec::with_capacity(items.len());
+        for &item in items {
+            let (set, before, mut home) = (self.set(item), sum, MANY_CELLS);
+            cells.rows_of(self.ends(item).map(|p| self.offset(p)), |row, first, last| {
+                sum += last - first + 1;
+                home = number(first, row) as u32;
+                for cell in number(first, row)..=number(last, row) {
+                    starts[cell] += 1;
+                    sets[cell] &= set;
+                }
+            });
+            homes.push(if sum - before == 1 { home } else { MANY_CELLS });
+        }
+        self.spend(starts.len() / 4 + sum)?;
+        let mut all = 0;
+        for (start, set) in starts.iter_mut().zip(&sets) {
+            all += if *set == 0 { *start as usize } else { 0 };
+            *start = u32::try_from(all).map_err(|_| NoMeetings::LeftToSweep)?;
+        }
+        let mut lists = vec![0_u32; all];
+        for (&item, &home) in items.iter().zip(&homes).rev() {
+            let mut put = |cell: usize| {
+                if sets[cell] == 0 {
+                    starts[cell] -= 1;
+                    lists[starts[cell] as usize] = item;
+                }
+            };
+            if home == MANY_CELLS {
+                cells.rows_of(self.ends(item).map(|p| self.offset(p)), |row, first, last| {
+                    (number(first, row)..=number(last, row)).for_each(&mut put);
+                });
+            } else {
+                put(home as usize);
+            }
+        }
+        for cell in 0..starts.len() - 1 {
+            let list = &lists[starts[cell] as usize..starts[cell + 1] as usize];
+            if list.len() < 2 {
+                continue;
+            }
+            let inner = cells.frame(cell % cells.count[0], cell / cells.count[0]);
+            let is_nearly_all = 4 * list.len() > 3 * items.len();
+            let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
+            let sides = if list.len() <= FEW || patience == 0 { [1, 1] } else { self.sides(list, &inner) };
+            self.compare(list, &inner, sides, patience)?;
+        }
+        Ok(())
+    }
+
+    /// Compares items pair by pair.
+    fn pairs(&mut self, list: &[u32]) -> Result<(), NoMeetings> {
+        for (i, &one) in list.iter().enumerate() {
+            self.spend(list.len() - i)?;
+            let (ends, set) = (self.ends(one), self.set(one));
+            let [a, b] = ends.map(|p| self.points[p as usize]);
+            let (bottom, top) = (a.y.min(b.y), a.y.max(b.y));
+            for &other in &list[i + 1..] {
+                if set & self.set(other) != 0 {
+                    continue;
+                }
+                let others = self.ends(other);
+                let [c, d] = others.map(|p| self.points[p as usize]);
+                if d.x < a.x || b.x < c.x || c.y.max(d.y) < bottom || top < c.y.min(d.y) {
+                    continue;
+                }
+                self.pair([one, other], [ends, others], [[a, b], [c, d]])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Two items whose boxes meet.
+    fn pair(
+        &mut self,
+        items: [u32; 2],
+        [[p, q], [r, s]]: [[u32; 2]; 2],
+        [[a, b], [c, d]]: [[Point; 2]; 2],
+    ) -> Result<(), NoMeetings> {
+        // With a common end they share more only if they leave it in the same direction. Ends are left and right ones.
+        if p == r || q == s {
+            let (here, far, other) = if p == r { (a, b, d) } else { (b, a, c) };
+            return if orientation(here, far, other).is_eq() { Err(NoMeetings::Overlap) } else { Ok(()) };
+        }
+        if q == r || p == s {
+            return Ok(());
+        }
+        let sides = [orientation(a, b, c), orientation(a, b, d)];
+        let is_one_side = |sides: [Ordering; 2]| sides[0] == sides[1] && sides[0].is_ne();
+        if p != q && is_one_side(sides) {
+            return Ok(());
+        }
+        let others = [orientation(c, d, a), orientation(c, d, b)];
+        if r != s && is_one_side(others) {
+            return Ok(());
+        }
+        if p == q || r == s {
+            // A loose point, and an edge or another loose point, which lies elsewhere.
+            let (edge, point, is_on) = if p == q {
+                (items[1], p, others[0].is_eq() && r != s && is_between(c, d, a))
+            } else {
+                (items[0], r, sides[0].is_eq() && is_between(a, b, c))
+            };
+            if is_on {
+                self.found.touches.push([edge, point]);
+            }
+            return Ok(());
+        }
+        match (sides, others) {
+            // All four on one line, and their boxes meet.
+            ([Ordering::Equal, Ordering::Equal], _) => return Err(NoMeetings::Overlap),
+            ([Ordering::Equal, _], _) => self.found.touches.push([items[0], r]),
+            ([_, Ordering::Equal], _) => self.found.touches.push([items[0], s]),
+            (_, [Ordering::Equal, _]) => self.found.touches.push([items[1], p]),
+            (_, [_, Ordering::Equal]) => self.found.touches.push([items[1], q]),
+            _ => self.found.crossings.push([items[0].min(items[1]), items[0].max(items[1])]),
+        }
+        Ok(())
+    }
+}
+
+/// Whether a point of the line through two others lies between them.
+fn is_between(a: Point, b: Point, p: Point) -> bool {
+    left_to_right(a, p).is_lt() && left_to_right(p, b).is_lt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::sweep::rightwards;
+    use crate::plane::sweep::tests::numbers;
+
+    /// All pairs.
+    fn one_by_one(
+        points: &[Point],
+        edges: &[[u32; 2]],
+        loose: &[u32],
+        sets: &[u8],
+    ) -> Result<[Vec<[u32; 2]>; 2], NoMeetings> {
+        let at = |p: u32| points[p as usize];
+        let on = |[a, b]: [u32; 2], p: u32| {
+            ![a, b].contains(&p) && orientation(at(a), at(b), at(p)).is_eq() && is_between(at(a), at(b), at(p))
+        };
+        let set = |e: usize| sets.get(e).copied().unwrap_or(0);
+        let (mut crossings, mut touches) = (Vec::new(), Vec::new());
+        for (e, &edge) in edges.iter().enumerate() {
+            touches.extend(loose.iter().filter(|&&p| on(edge, p)).map(|&p| [e as u32, p]));
+            for (g, &other) in edges.iter().enumerate().skip(e + 1).filter(|&(g, _)| set(e) & set(g) == 0) {
+                let [a, b, c, d] = [edge, other].concat().try_into().unwrap();
+                let turns =
+                    [[a, b, c], [a, b, d], [c, d, a], [c, d, b]].map(|p| orientation(at(p[0]), at(p[1]), at(p[2])));
+                let inside: Vec<[u32; 2]> = [(e, edge, other), (g, other, edge)]
+                    .iter()
+                    .flat_map(|&(e, edge, ends)| {
+                        ends.into_iter().filter(move |&p| on(edge, p)).map(move |p| [e as u32, p])
+                    })
+                    .collect();
+                if turns == [Ordering::Equal; 4] {
+                    if !inside.is_empty() {
+                        return Err(NoMeetings::Overlap);
+                    }
+                } else if turns[0] == turns[1].reverse()
+                    && turns[2] == turns[3].reverse()
+                    && !turns.contains(&Ordering::Equal)
+                {
+                    crossings.push([e as u32, g as u32]);
+                }
+                touches.extend(inside);
+            }
+        }
+        for list in [&mut crossings, &mut touches] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Ok([crossings, touches])
+    }
+
+    #[test]
+    fn what_meets_in_cells_is_what_meets_pair_by_pair() {
+        let (mut met, mut overlaps, mut left) = ([0; 2], 0, 0);
+        for seed in 1..1_200_u64 {
+            let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            // On a small grid, far from the origin, flat, crowded into corners of corners, and along one line.
+            let kind = seed % 6;
+            let count = 2 + next(if seed % 4 == 0 { 150 } else { 24 });
+            let size = if seed % 5 == 0 { 4 } else { 40 };
+            let mut place = || {
+                let [x, y] = [next(size), next(size)].map(|x| x as f64);
+                match kind {
+                    0 | 1 => Point::new(x, y),
+                    2 => Point::new(x.mul_add(0.37, 1e9), y.mul_add(0.11, -1e9)),
+                    3 => Point::new(x * 1e12, y * 1e-12),
+                    4 => {
+                        let corner = 2f64.powi(-(next(30) as i32));
+                        Point::new(corner * (1.0 + x / 64.0), corner * (1.0 + y / 64.0))
+                    }
+                    _ => Point::new(x, x + y * 1e-9),
+                }
+            };
+            let mut points: Vec<Point> = Vec::new();
+            for _ in 0..2 * count {
+                let p = place();
+                if !points.contains(&p) {
+                    points.push(p);
+                }
+            }
+            let n = points.len() as u64;
+            let mut edges: Vec<[u32; 2]> = (0..count).map(|_| [next(n), next(n)].map(|p| p as u32)).collect();
+            // Short ones as well, so that a grid pays.
+            edges.extend((1..n as u32).filter(|_| next(2) == 0).map(|p| [p - 1, p]));
+            edges.retain(|[a, b]| a != b);
+            edges = rightwards(&points, &edges);
+            edges.sort_unstable();
+            edges.dedup();
+            let loose: Vec<u32> = (0..n as u32).filter(|p| !edges.as_flattened().contains(p)).collect();
+            let sets: Vec<u8> = if seed % 3 == 0 { edges.iter().map(|_| next(4) as u8).collect() } else { Vec::new() };
+            match (meetings(&points, &edges, &loose, &sets), one_by_one(&points, &edges, &loose, &sets)) {
+                (Ok(found), expected) => {
+                    let expected = expected.unwrap_or_else(|_| panic!("seed {seed}: edges overlap"));
+                    met = [met[0] + found.crossings.len(), met[1] + found.touches.len()];
+                    assert_eq!([found.crossings, found.touches], expected, "seed {seed}");
+                }
+                (Err(NoMeetings::Overlap), expected) => {
+                    assert_eq!(expected, Err(NoMeetings::Overlap), "seed {seed}");
+                    overlaps += 1;
+                }
+                (Err(NoMeetings::LeftToSweep), _) => left += 1,
+            }
+        }
+        assert!(met[0] > 10_000 && met[1] > 900 && overlaps > 100 && left < 200, "{met:?} {overlaps} {left}");
+    }
+
+    #[test]
+    fn bundles_are_left_to_the_sweep_and_rows_are_not() {
+        let n = 4_000;
+        let lines = |gap: f64| -> Vec<Point> {
+            (0..n)
+                .flat_map(|i| [Point::new(0.0, f64::from(i) * gap), Point::new(1e3, f64::from(i) * gap + 1.0)])
+                .collect()
+        };
+        let edges: Vec<[u32; 2]> = (0..n as u32).map(|i| [2 * i, 2 * i + 1]).collect();
+        let found = |points: &[Point]| meetings(points, &edges, &[], &[]).map(|found| found.crossings.len());
+        assert_eq!(found(&lines(1.0)), Ok(0));
+        assert_eq!(found(&lines(1e-12)), Err(NoMeetings::LeftToSweep));
+        // A square net: every pair meets.
+        let half = n / 2;
+        let net: Vec<Point> = (0..n)
+            .flat_map(|i| {
+                let at = f64::from(i % half);
+                let ends = if i < half { [(at, -1.0), (at, 1e6)] } else { [(-1.0, at), (1e6, at)] };
+                ends.map(Point::from)
+            })
+            .collect();
+        assert_eq!(found(&net), Ok((half * half) as usize));
+    }
+}

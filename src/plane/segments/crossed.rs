@@ -1,0 +1,133 @@
+//! The first cuts of all edges, from the pairs of edges that meet: without a sweep.
+//!
+//! ```text
+//!      ╲  ╱ ╱        pairs of edges that cross, each rounded by itself; then all from left to right. Rounding keeps
+//!       ●╱ ╱         that order, so that only those with the same x after it are compared exactly.
+//!       ╱╲╱
+//!      ╱ ╱╲
+//! ```
+//!
+//! Three edges through one point would be one cut, not three: they are left to the sweep.
+
+use super::graph::Graph;
+use crate::geometry::grouping::Groups;
+use crate::geometry::predicates::{left_to_right, sort_key};
+use crate::plane::Point;
+use crate::plane::meet::{Crossed, Meetings, NoMeetings, is_moved, meetings, placed as placed_at};
+use crate::plane::sweep::rightwards;
+
+/// The cuts of one round.
+pub(super) struct Cuts {
+    /// Edges with the points where they are to be cut, those of one edge from left to right. Points from the number of the
+    /// graph's points on are new.
+    pub(super) cuts: Vec<(u32, u32)>,
+    /// The new points from left to right, as they were before rounding, and how far each is from its crossing.
+    pub(super) new: Vec<(Point, f64)>,
+}
+
+impl Cuts {
+    /// The cuts of a graph, as a sweep over it gives them. `sets[e]` has a bit for each set of edges that meet at common
+    /// ends only and that edge e belongs to.
+    ///
+    /// # Errors
+    /// [`NoMeetings`]: the sweep has to find them.
+    pub(super) fn without_sweep(graph: &Graph, sets: &[u8]) -> Result<Self, NoMeetings> {
+        let Graph { points, edges, .. } = graph;
+        let edges = rightwards(points, edges);
+        let mut is_loose = vec![true; points.len()];
+        edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
+        let loose: Vec<u32> = (0..points.len() as u32).filter(|&p| is_loose[p as usize]).collect();
+        let Meetings { mut crossings, touches } = meetings(points, &edges, &loose, sets)?;
+        let touched = Groups::new(edges.len(), touches.iter().map(|&[edge, point]| (edge as usize, point)));
+        // Edges that cross at a point that both of them pass are cut there already.
+        crossings.retain(|&[e, g]| {
+            let [one, other] = [e, g].map(|edge| touched.of(edge as usize));
+            one.is_empty() || other.is_empty() || one.iter().all(|point| !other.contains(point))
+        });
+        let ends = |e: u32| edges[e as usize].map(|p| points[p as usize]);
+        let both = |[e, g]: [u32; 2]| [ends(e), ends(g)];
+        let placed: Vec<Placed> = crossings.iter().map(|&pair| placed_at(both(pair))).collect();
+        let order = from_left_to_right(&placed, |i| both(crossings[i as usize])).ok_or(NoMeetings::LeftToSweep)?;
+
+        let new = order.iter().map(|&i| placed[i as usize]).map(|(p, off, _)| (p, off)).collect();
+        let old = points.len() as u32;
+        let mut cuts: Vec<(u32, u32)> = Vec::with_capacity(2 * order.len() + touches.len());
+        for (number, &i) in (old..).zip(&order) {
+            cuts.extend(crossings[i as usize].map(|edge| (edge, number)));
+        }
+        if touches.is_empty() {
+            return Ok(Self { cuts, new });
+        }
+        cuts.extend(touches.iter().map(|&[edge, point]| (edge, point)));
+        let compare = |&one: &u32, &other: &u32| {
+            let known = |p: u32| points.get(p as usize).copied();
+            let crossed = |p: u32| {
+                let [one, other] = both(crossings[order[(p - old) as usize] as usize]);
+                Crossed::new(one, other)
+            };
+            match (known(one), known(other)) {
+                (Some(p), Some(q)) => left_to_right(p, q),
+                (None, None) => one.cmp(&other),
+                (None, Some(q)) => crossed(one).order_to_point(q),
+                (Some(p), None) => crossed(other).order_to_point(p).reverse(),
+            }
+        };
+        let mut by_edge = Groups::new(edges.len(), cuts.iter().map(|&(edge, point)| (edge as usize, point)));
+        cuts.clear();
+        for (edge, of) in (0..edges.len()).map(|e| (e as u32, touched.of(e))) {
+            let list = by_edge.of_mut(edge as usize);
+            if !of.is_empty() {
+                list.sort_unstable_by(compare);
+            }
+            cuts.extend(list.iter().map(|&point| (edge, point)));
+        }
+        Ok(Self { cuts, new })
+    }
+
+    /// Whether nothing is to be cut.
+    pub(super) fn is_empty(&self) -> bool {
+        self.cuts.is_empty()
+    }
+}
+
+/// A crossing rounded to a point, how far that is from it, and between which bounds the crossing lies to its right.
+type Placed = (Point, f64, [f64; 2]);
+
+/// The order of crossings, as they are before rounding, from left to right. None if two of them are one point.
+fn from_left_to_right(placed: &[Placed], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Option<Vec<u32>> {
+    let mut order: Vec<(u64, u32)> = placed.iter().zip(0..).map(|((p, ..), i)| (sort_key(p.x), i)).collect();
+    order.sort_unstable();
+    let right = |&(_, i): &(u64, u32)| placed[i as usize].2;
+    for same in order.chunk_by_mut(|a, b| a.0 == b.0).filter(|same| same.len() > 1) {
+        same.sort_unstable_by(|a, b| right(a)[0].total_cmp(&right(b)[0]));
+        // Those before a place are left of those behind it if all bounds say so.
+        let mut first = 0;
+        let mut reach = f64::NEG_INFINITY;
+        for place in 0..same.len() {
+            reach = reach.max(right(&same[place])[1]);
+            if same.get(place + 1).is_none_or(|next| reach < right(next)[0]) {
+                exactly(&mut same[first..=place], &ends)?;
+                first = place + 1;
+            }
+        }
+    }
+    Some(order.into_iter().map(|(_, i)| i).collect())
+}
+
+/// Puts crossings in order by exact comparisons. None if two of them are one point.
+fn exactly(some: &mut [(u64, u32)], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Option<()> {
+    let [(_, first), rest @ ..] = &*some else { return Some(()) };
+    // In rows of things that are alike, crossings lie above each other as the things do.
+    if rest.iter().all(|&(_, i)| is_moved(ends(i), ends(*first))) {
+        let by_end = |a: &(u64, u32), b: &(u64, u32)| left_to_right(ends(a.1)[0][0], ends(b.1)[0][0]);
+        some.sort_unstable_by(by_end);
+        return some.windows(2).all(|pair| by_end(&pair[0], &pair[1]).is_lt()).then_some(());
+    }
+    let all: Vec<Crossed> = some.iter().map(|&(_, i)| ends(i)).map(|[one, other]| Crossed::new(one, other)).collect();
+    let compare = |&a: &u32, &b: &u32| all[a as usize].order_to(&all[b as usize]);
+    let mut places: Vec<u32> = (0..some.len() as u32).collect();
+    places.sort_unstable_by(compare);
+    let sorted: Vec<(u64, u32)> = places.iter().map(|&place| some[place as usize]).collect();
+    some.copy_from_slice(&sorted);
+    places.windows(2).all(|pair| compare(&pair[0], &pair[1]).is_lt()).then_some(())
+}
