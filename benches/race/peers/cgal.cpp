@@ -1,7 +1,8 @@
-// CGAL: convex hulls, Delaunay triangulations. cgal TASK FILE
+// CGAL: convex hulls, Delaunay triangulations, edits. cgal TASK FILE
 #include "peer.hpp"
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_2.h>
@@ -17,7 +18,44 @@ static std::vector<Kernel::Point_2> plane(const std::vector<double> &in, size_t 
     return points;
 }
 
+// Random splits that grow a square. A split of a face takes the next half-edge but one of the same face, one of an edge none.
+static int splits(const std::vector<double> &in) {
+    using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+    using Half = Mesh::Halfedge_index;
+    size_t edges = in[1], times = in[2];
+    auto square = [&] {
+        Mesh mesh;
+        mesh.reserve(edges, edges, edges);
+        std::vector<Mesh::Vertex_index> corners;
+        for (int i = 0; i < 4; ++i) corners.push_back(mesh.add_vertex());
+        mesh.add_face(corners);
+        return mesh;
+    };
+    auto grow = [](Mesh &mesh, std::pair<Half, Half> edit) {
+        if (edit.second == Mesh::null_halfedge()) CGAL::Euler::split_edge(edit.first, mesh);
+        else CGAL::Euler::split_face(edit.first, edit.second, mesh);
+    };
+    std::vector<std::pair<Half, Half>> script;
+    Mesh mesh = square();
+    for (size_t i = 0; i < edges - 4; ++i) {
+        Half h(Mesh::size_type(in[3 + 2 * i] * mesh.number_of_halfedges()));
+        Half third = mesh.next(mesh.next(h));
+        bool face = in[4 + 2 * i] < 0.5 && !mesh.is_border(h) && third != h && mesh.next(third) != h;
+        script.emplace_back(h, face ? third : Mesh::null_halfedge());
+        grow(mesh, script.back());
+    }
+    return timed(script.size() * times, [&] {
+        std::vector<Mesh> all;
+        for (size_t i = 0; i < times; ++i) {
+            all.push_back(square());
+            for (auto edit : script) grow(all.back(), edit);
+        }
+        return all;
+    });
+}
+
 int main(int, char **arg) {
+    if (!std::strcmp(arg[1], "version")) return std::puts(CGAL_VERSION_STR) < 0;
     auto in = read_doubles(arg[2]);
     size_t n = in[0];
     if (!std::strcmp(arg[1], "hull")) {
@@ -53,5 +91,6 @@ int main(int, char **arg) {
             return made;
         });
     }
+    if (!std::strcmp(arg[1], "splits")) return splits(in);
     return 2;
 }

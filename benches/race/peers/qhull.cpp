@@ -3,6 +3,7 @@
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
+#include <cstring>
 #include <memory>
 
 struct Made {
@@ -15,6 +16,7 @@ struct Made {
 };
 
 int main(int, char **arg) {
+    if (!std::strcmp(arg[1], "version")) return std::puts(qh_version) < 0;
     auto in = read_doubles(arg[2]);
     int n = in[0];
     return timed(n, [&] {

@@ -3,7 +3,7 @@
 //! ```text
 //!   main.rs    the table: runs the programs in turn, compares with goals.toml
 //!   rows.rs    what is done, by whom            shapes.rs   polygons and points
-//!   native.rs  peers in C++, where they are installed
+//!   segments.rs surfaces.rs   more of it        native.rs   peers in C++, where they are installed
 //! ```
 //!
 //! A row is run warm, with an allocator that keeps its memory, and cold, with the default one.
@@ -13,7 +13,9 @@
 mod inputs;
 mod native;
 mod rows;
+mod segments;
 mod shapes;
+mod surfaces;
 
 use cpu_time::ProcessTime;
 use native::NATIVE;
@@ -145,7 +147,7 @@ fn runners(row: &Row) -> Result<Vec<Runner>, String> {
     }
     for native in NATIVE.iter().filter(|native| native.row == row.name) {
         match native.command() {
-            Ok(command) => all.push(Runner { name: native.name, version: String::new(), peer: true, command }),
+            Ok(command) => all.push(Runner { name: native.name, version: native.version(), peer: true, command }),
             Err(_) => println!("  {:40} absent", native.name),
         }
     }

@@ -1,6 +1,6 @@
 //! Peers in C++: programs of the folder `peers`, compiled where a compiler and the library are installed.
 
-use crate::rows;
+use crate::{rows, segments, surfaces};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -16,13 +16,24 @@ pub struct Native {
 }
 
 /// A library and what its programs are linked with.
-const LIBRARIES: [(&str, &[&str]); 3] =
-    [("cgal", &["-lgmp", "-lmpfr"]), ("geos", &["-lgeos_c"]), ("qhull", &["-lqhull_r"])];
+const LIBRARIES: [(&str, &[&str]); 5] = [
+    ("arrangement", &["-lgmp", "-lmpfr"]),
+    ("cgal", &["-lgmp", "-lmpfr"]),
+    ("geos", &["-lgeos_c"]),
+    ("opensubdiv", &["-losdCPU"]),
+    ("qhull", &["-lqhull_r"]),
+];
 
 /// All of them.
 pub const NATIVE: &[Native] = &[
     native("intersection of coasts", "GEOS", "geos", "intersection", || shapes(&rows::coasts())),
     native("intersection of squares", "GEOS", "geos", "intersection", || shapes(&rows::two_rows())),
+    native("overlay of coasts", "CGAL", "arrangement", "overlay", || shapes(&rows::coasts())),
+    native("segments that meet at ends", "CGAL", "arrangement", "segments", plain),
+    native("segments that meet at ends", "GEOS", "geos", "polygonize", plain),
+    native("splits", "CGAL", "cgal", "splits", surfaces::choices),
+    native("Catmull-Clark", "OpenSubdiv", "opensubdiv", "catmull-clark", || surfaces::torus_in_numbers(false)),
+    native("Loop", "OpenSubdiv", "opensubdiv", "loop", || surfaces::torus_in_numbers(true)),
     native("Delaunay, random", "CGAL", "cgal", "delaunay", || flat(&rows::random(500_000))),
     native("Delaunay, lattice", "CGAL", "cgal", "delaunay", || flat(&rows::lattice(500_000))),
     native("Delaunay, clusters", "CGAL", "cgal", "delaunay", || flat(&rows::clusters(500_000))),
@@ -55,6 +66,11 @@ fn flat<const N: usize>(points: &[[f64; N]]) -> Vec<f64> {
     std::iter::once(points.len() as f64).chain(points.iter().flatten().copied()).collect()
 }
 
+fn plain() -> Vec<f64> {
+    let all = segments::plain();
+    std::iter::once(all.len() as f64).chain(all.into_iter().flatten().flatten()).collect()
+}
+
 fn shapes(both: &[Vec<crate::shapes::Ring>; 2]) -> Vec<f64> {
     let mut all = vec![rows::edges(both) as f64];
     for shape in both {
@@ -67,11 +83,17 @@ fn shapes(both: &[Vec<crate::shapes::Ring>; 2]) -> Vec<f64> {
 }
 
 impl Native {
+    /// Its release, which its program tells.
+    pub fn version(&self) -> String {
+        let told = Command::new(kept().join(self.library)).arg("version").output();
+        told.map(|told| String::from_utf8_lossy(&told.stdout).trim().to_owned()).unwrap_or_default()
+    }
+
     /// How to run it; why not, if it cannot be run here.
     pub fn command(&self) -> Result<Command, String> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/peers");
         let (_, libraries) = LIBRARIES.iter().find(|(name, _)| *name == self.library).expect("a known library");
-        let kept = std::env::temp_dir().join(format!("dcel-race-{}", std::process::id()));
+        let kept = kept();
         std::fs::create_dir_all(&kept).map_err(|e| format!("{}: {e}", kept.display()))?;
         let program = kept.join(self.library);
         if !program.exists() {
@@ -96,7 +118,12 @@ impl Native {
     }
 }
 
+/// Where programs and inputs are kept.
+fn kept() -> PathBuf {
+    std::env::temp_dir().join(format!("dcel-race-{}", std::process::id()))
+}
+
 /// Takes away what was compiled and written.
 pub fn clear() {
-    let _ = std::fs::remove_dir_all(std::env::temp_dir().join(format!("dcel-race-{}", std::process::id())));
+    let _ = std::fs::remove_dir_all(kept());
 }

@@ -2,6 +2,7 @@
 
 use crate::inputs::{Random, Triangles, delaunay, ordered, shuffled};
 use crate::shapes::{Ring, coast, ragged, round, spiral, squares};
+use crate::{segments, surfaces};
 use dcel_kit::plane::{Operation, Parts, Point, PointIndex, Subdivision, TriangulationMethod};
 use dcel_kit::topology::Dcel;
 use i_overlay::core::fill_rule::FillRule;
@@ -62,6 +63,22 @@ rows! {
         "dcel-kit" of "dcel-kit" => our_intersection(&two_rows()),
         "dcel-kit from rings" of "dcel-kit" => our_intersection_of_rings(two_rows()),
         "i_overlay" of "i_overlay" => their_intersection(two_rows());
+    "overlay of coasts":
+        "dcel-kit" of "dcel-kit" => segments::our_overlay();
+    "segments that meet at ends":
+        "dcel-kit" of "dcel-kit" => segments::our_segments();
+    "crossing segments":
+        "dcel-kit" of "dcel-kit" => segments::our_crossings(),
+        "geo" of "geo" => segments::geo_crossings();
+    "splits":
+        "dcel-kit" of "dcel-kit" => surfaces::our_splits(),
+        "alum" of "alum" => surfaces::alum_splits();
+    "Catmull-Clark":
+        "dcel-kit" of "dcel-kit" => surfaces::our_subdivision(false),
+        "alum" of "alum" => surfaces::alum_subdivision(false);
+    "Loop":
+        "dcel-kit" of "dcel-kit" => surfaces::our_subdivision(true),
+        "alum" of "alum" => surfaces::alum_subdivision(true);
     "Delaunay, random":
         "dcel-kit" of "dcel-kit" => our_delaunay(&random(500_000)),
         "delaunator" of "delaunator" => delaunator_of(&random(500_000)),
@@ -111,9 +128,17 @@ rows! {
     "location, one by one":
         "dcel-kit" of "dcel-kit" => our_location(500_000),
         "spade" of "spade" => spade_location(500_000);
+    "round vertices, ordered":
+        "dcel-kit" of "dcel-kit" => our_walk(&ordered(1_000_000)),
+        "dcel-kit, neighbours" of "dcel-kit" => our_neighbours(&ordered(1_000_000)),
+        "lox half-edge" of "lox" => lox_walk(&ordered(1_000_000));
+    "round vertices, shuffled":
+        "dcel-kit" of "dcel-kit" => our_walk(&shuffled(1_000_000)),
+        "dcel-kit, neighbours" of "dcel-kit" => our_neighbours(&shuffled(1_000_000)),
+        "lox half-edge" of "lox" => lox_walk(&shuffled(1_000_000));
 }
 
-fn work<T: 'static>(elements: usize, mut work: impl FnMut() -> T + 'static) -> Prepared {
+pub fn work<T: 'static>(elements: usize, mut work: impl FnMut() -> T + 'static) -> Prepared {
     (elements, Box::new(move || Box::new(work())))
 }
 
@@ -137,6 +162,40 @@ fn lox_of<M: MeshMut + 'static>(input: Triangles) -> Prepared {
     })
 }
 
+fn surface(input: &Triangles) -> Dcel {
+    Dcel::from_triangles(input.vertices, &input.triangles).expect("a surface").dcel
+}
+
+/// The half-edges round all vertices.
+fn our_walk(input: &Triangles) -> Prepared {
+    let d = surface(input);
+    work(d.half_edge_count(), move || {
+        d.vertices().flat_map(|v| d.outgoing_half_edges(v)).fold(0_u32, |sum, h| sum ^ h.number())
+    })
+}
+
+fn our_neighbours(input: &Triangles) -> Prepared {
+    let d = surface(input);
+    work(d.half_edge_count(), move || {
+        d.vertices().flat_map(|v| d.adjacent_vertices(v)).fold(0_u32, |sum, v| sum ^ v.number())
+    })
+}
+
+/// The peer reads the vertex at the other end always.
+fn lox_walk(input: &Triangles) -> Prepared {
+    let mut mesh = HalfEdgeMesh::<TriConfig>::empty();
+    (0..input.vertices).for_each(|_| {
+        mesh.add_vertex();
+    });
+    for t in &input.triangles {
+        mesh.add_triangle(t.map(lox::VertexHandle::new));
+    }
+    work(2 * mesh.num_edges() as usize, move || {
+        let around = mesh.vertex_handles().flat_map(|v| mesh.vertices_around_vertex(v));
+        around.fold(0_u32, |sum, v| sum ^ v.idx())
+    })
+}
+
 pub fn coasts() -> [Vec<Ring>; 2] {
     [vec![coast(1 << 18, [0.0, 0.0], 3)], vec![coast(1 << 17, [0.9, 0.3], 4)]]
 }
@@ -145,7 +204,7 @@ pub fn two_rows() -> [Vec<Ring>; 2] {
     [squares(204, 0.0), squares(204, 0.35)]
 }
 
-fn rings(shape: &[Ring]) -> Subdivision {
+pub fn rings(shape: &[Ring]) -> Subdivision {
     let mut points = Vec::new();
     let mut edges = Vec::new();
     for ring in shape {
