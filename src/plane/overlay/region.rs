@@ -105,7 +105,7 @@ impl Overlay {
     /// Bounded faces outside the result are hole faces. Vertices are those at edges that stay, in their order. The faces
     /// and edges of [`subdivision`](Overlay::subdivision) must still be those that the overlay made.
     ///
-    /// Cost: O(n log n), for the order of the vertices from left to right; nothing is arranged again.
+    /// Cost: O(n), apart from the order of the inner components; nothing is arranged again.
     ///
     /// # Errors
     /// [`SegmentsError::TooMany`], which cannot be: the result has no more elements than the overlay.

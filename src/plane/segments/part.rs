@@ -9,7 +9,6 @@
 use super::graph::Graph;
 use super::trace::{OneRings, trace_known};
 use crate::geometry::grouping::Joined;
-use crate::geometry::places::first_at_each_place;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
@@ -23,7 +22,7 @@ impl Subdivision {
     /// The subdivision of the given edges, which are in increasing order, and of the vertices at them. Edge i runs as
     /// `edges[i]`; all numbers are as those of [`from_graph`](Self::from_graph).
     ///
-    /// Cost: O(n), apart from the order of vertices and inner components from left to right.
+    /// Cost: O(n), apart from the order of inner components from left to right.
     pub(in crate::plane) fn part(&self, edges: &[EdgeId]) -> Result<Self, TooMany> {
         let mut new_edge = vec![GONE; self.dcel.edge_bound()];
         edges.iter().enumerate().for_each(|(i, e)| new_edge[e.index()] = i as u32);
@@ -41,8 +40,7 @@ impl Subdivision {
             stay.push(v);
         }
         let ends = edges.iter().map(|&e| self.edge_ends(e).map(|v| number[v.index()])).collect();
-        let (_, by_place) = first_at_each_place(&points);
-        let graph = Graph { points, edges: ends, by_place };
+        let graph = Graph { points, edges: ends, by_place: Vec::new() };
 
         let mut one_rings = OneRings::new(&graph)?;
         let mut ring: Vec<HalfEdgeId> = Vec::new();

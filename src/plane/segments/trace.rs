@@ -12,11 +12,12 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
 
 use super::graph::Graph;
+use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
-use crate::plane::Subdivision;
 use crate::plane::below::edges_below;
 use crate::plane::rings::Loose;
 use crate::plane::sweep::{Intersection, NOTHING, OneRing, Swept, sweep_in_order};
+use crate::plane::{Point, Subdivision};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 
 const NONE: u32 = Columns::NONE;
@@ -124,7 +125,7 @@ impl Seen {
 pub(super) fn trace(graph: Graph, seen: Seen) -> Result<Subdivision, TooMany> {
     let Graph { points, edges, by_place } = graph;
     let mut columns = seen.one_rings.columns;
-    let loose = cycles(&mut columns, &by_place)?;
+    let loose = cycles(&mut columns, &points)?;
     let leftmost = loose.iter().map(|loose| loose.leftmost.number());
     let below = seen.below.unwrap_or_else(|| edges_below(&points, &edges, &by_place, leftmost));
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
@@ -146,9 +147,9 @@ pub(super) fn trace_known(
     one_rings: OneRings,
     mut face_of: impl FnMut(&[u32], u32) -> FaceId,
 ) -> Result<Subdivision, TooMany> {
-    let Graph { points, by_place, .. } = graph;
+    let points = graph.points;
     let mut columns = one_rings.columns;
-    let loose = cycles(&mut columns, &by_place)?;
+    let loose = cycles(&mut columns, &points)?;
     let known = |Loose { ring, .. }: Loose| match ring {
         InnerComponent::Cycle(h) => (ring, face_of(&columns.boundary, h.number())),
         InnerComponent::Isolated(_) => (ring, FaceId::new(0)),
@@ -168,9 +169,7 @@ pub(super) fn trace_known(
 }
 
 /// Gives every half-edge its face, inner components for the time being `f0`. Returns the inner components and the isolated vertices.
-fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany> {
-    let mut rank = vec![0_u32; by_place.len()];
-    by_place.iter().enumerate().for_each(|(i, &v)| rank[v as usize] = i as u32);
+fn cycles(columns: &mut Columns, points: &[Point]) -> Result<Vec<Loose>, TooMany> {
     let mut loose = Vec::new();
     for start in 0..columns.face.len() as u32 {
         if columns.face[start as usize] != NONE {
@@ -178,16 +177,18 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
         }
         let face = columns.boundary.len() as u32;
         // A corner behind the last half-edge of a one-ring looks down, and at a leftmost vertex therefore to the left.
-        let (mut leftmost, mut looks_left) = (u32::MAX, false);
+        let (mut leftmost, mut looks_left) = (columns.origin[start as usize], false);
+        let mut place = points[leftmost as usize];
         let mut h = start;
         loop {
             columns.face[h as usize] = face;
             let v = columns.origin[h as usize];
-            let place = rank[v as usize];
-            if place <= leftmost {
+            let here = points[v as usize];
+            let order = left_to_right(here, place);
+            if order.is_le() {
                 let last = columns.prev[h as usize] ^ 1 == columns.outgoing[v as usize];
-                looks_left = last || (place == leftmost && looks_left);
-                leftmost = place;
+                looks_left = last || (order.is_eq() && looks_left);
+                (leftmost, place) = (v, here);
             }
             h = columns.next[h as usize];
             if h == start {
@@ -201,7 +202,7 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
             columns.boundary.push(start);
             continue;
         }
-        let leftmost = VertexId::new(by_place[leftmost as usize]);
+        let leftmost = VertexId::new(leftmost);
         loose.push(Loose { ring: InnerComponent::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
         loop {
             columns.face[h as usize] = 0;
