@@ -8,10 +8,15 @@
 //!
 //! A path of one stretch only: the letters O and 0 have two.
 
-use super::shapes::{PIECES, ROUND, STEP};
 use crate::compare::pairing::distance;
 use crate::plane::Point;
 
+/// How far from its circle a round path may lie, as a part of the radius.
+pub(super) const ROUND: f64 = 0.03;
+/// Pieces of curves that make a circle, at least.
+pub(super) const PIECES: usize = 12;
+/// How long they are at most, as a part of the radius.
+pub(super) const STEP: f64 = 0.8;
 /// The shorter axis of an ellipse that is a vertex is at least this part of the longer one.
 const STOUT: f64 = 0.3;
 

@@ -6,7 +6,7 @@
 //! ```
 
 use super::axes::Axes;
-use super::ovals::Oval;
+use super::ovals::{Oval, PIECES, ROUND, STEP};
 use super::{Around, Dot, FAR, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
 use crate::compare::colour::Paint;
 use crate::compare::error::{Fault, Problem};
@@ -20,8 +20,6 @@ use crate::compare::{declared, numbers};
 use crate::plane::Point;
 use roxmltree::Node;
 
-/// How far from its circle a round path may lie, as a part of the radius.
-pub(super) const ROUND: f64 = 0.03;
 /// Of a line of fewer px than this, a screen shows less than a tenth of the ink; of a circle of such a radius, less than a
 /// twentieth.
 const THIN: f64 = 0.099;
@@ -33,10 +31,6 @@ const TINY: f64 = 0.1;
 const SHARP: f64 = 1e-4;
 /// A pattern that covers less than this leaves most of its area open.
 const SPARSE: f64 = 0.5;
-/// Pieces of curves that make a circle, at least.
-pub(super) const PIECES: usize = 12;
-/// How long they are at most, as a part of the radius.
-pub(super) const STEP: f64 = 0.8;
 
 impl<'a, 'i> Reader<'a, 'i> {
     /// Reads any element that paints.
