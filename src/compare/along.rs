@@ -14,7 +14,8 @@ const SLANT: f64 = 0.05;
 /// How far it may reach beyond the edge, as a part of it.
 const BEYOND: f64 = 0.02;
 /// How far the tip of a barb may lie from the end of its line: behind it, before it, and across, as parts of its size.
-const TIP: [f64; 3] = [0.25, 1.0, 0.5];
+/// Many programs end the line at the base of the barb.
+const TIP: [f64; 3] = [0.25, 1.1, 0.5];
 /// The outer corner of a barb lies at least so far behind the tip, as a part of what lies across, the line's own width
 /// left out.
 const SLIM: f64 = 0.35;

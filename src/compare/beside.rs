@@ -144,8 +144,8 @@ impl Border {
     }
 }
 
-/// The canvas and the rectangles, filled or not, also with round corners, that hold all that is drawn, but what runs along
-/// their border. Unless `clear`, what they hold may touch them.
+/// The canvas and the rectangles, filled or not, also with round corners, that hold all that is drawn, and something at
+/// all, but what runs along their border or beyond it. Unless `clear`, what they hold may touch them.
 fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
     let rectangle = |outline: &Outline| {
         let around = Extent::around(outline.points.clone());
@@ -169,8 +169,9 @@ fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
         });
         let lines = drawing.lines.iter().filter(|line| !line.aside && line.hidden.is_none()).all(|line| {
             let along = frame.has(line);
-            others += usize::from(!along);
-            along || line.ends.iter().all(|&p| frame.extent.holds(p, room)) || frame.extent.is_outside(line.ends, slack)
+            let within = !along && line.ends.iter().all(|&p| frame.extent.holds(p, room));
+            others += usize::from(within);
+            along || within || frame.extent.is_outside(line.ends, slack)
         });
         dots && lines && others > 0
     });

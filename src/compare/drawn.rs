@@ -271,7 +271,8 @@ impl<'a> Target<'a> {
             // A circle stands for its vertex, not for more than half of an edge.
             let half = 0.5 * super::pairing::distance(ends[0], ends[1]);
             let radii = edge.map(|m| found.radii[m as usize].min(half));
-            if let Err(why) = eye.edge(ends, radii, tolerance) {
+            let is_stranger = matched.extra.binary_search(&edge).is_ok();
+            if let Err(why) = eye.edge(ends, radii, tolerance, is_stranger) {
                 out.edges.push((edge, why));
             }
         }

@@ -369,6 +369,12 @@ impl Ink {
         Dashes { lengths: &self.dashes, start: self.dash_start, ends }
     }
 
+    /// The same with dashes so many times as long, if it has any.
+    pub(super) fn with_longer_dashes(&self, by: f64) -> Option<Self> {
+        let dashes = self.dashes.iter().map(|length| by * length).collect();
+        (!self.dashes.is_empty()).then(|| Self { dashes, dash_start: by * self.dash_start, ..self.clone() })
+    }
+
     /// Whether the dashes draw hardly anything of a line that lies so far from the start of its path, its lengths as
     /// they are before any transform.
     pub(super) fn dashed_away(&self, from: f64, length: f64) -> bool {

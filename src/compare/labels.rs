@@ -3,7 +3,7 @@
 //! ```text
 //!   ●────────●      a small shape with curves that touches no vertex: the outline of letters, or a round box
 //!   │ (f1)   │      a small filled rectangle that touches no vertex, with letters drawn in it next: a box
-//!   ●────────●
+//!   ●────────●      small areas that touch no vertex, with a rim of the colour of white paper: letters
 //! ```
 
 use super::beside::{Extent, SMALL};
@@ -17,6 +17,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A box of letters is no larger than this part of the drawing.
 const BOX: f64 = 0.3;
+/// Letters are at least so large, as a part of the box that stands for them.
+const LETTERS: f64 = 0.6;
 /// So many coats behind that of a box are looked at for its letters.
 const NEXT: usize = 6;
 
@@ -41,7 +43,28 @@ pub(super) fn labels(drawing: &Drawing, frame: &Frame, snap: &Snap, size: f64) -
             out.insert(outline.shape);
         }
     }
+    out.extend(rimmed(drawing, is_apart, frame));
     out
+}
+
+/// Shapes of small areas, together no larger than a box, with a rim of the colour of white paper, which parts them from
+/// what lies below.
+fn rimmed(drawing: &Drawing, is_apart: impl Fn(&[Point], f64) -> bool, frame: &Frame) -> Vec<u32> {
+    let is_open = |outline: &Outline| outline.curved || outline.hidden.is_some() || outline.legend > 0;
+    let shapes = drawing.outlines.chunk_by(|a, b| a.shape == b.shape);
+    let shapes = shapes.filter(|shape| !shape.iter().any(is_open) && has_plain_rim(drawing, &shape[0]));
+    let is_text = |shape: &&[Outline]| {
+        let place = |outline: &Outline| outline.points.iter().map(|&p| frame.apply(p)).collect::<Vec<Point>>();
+        let letters: Vec<Vec<Point>> = shape.iter().map(place).collect();
+        letters.iter().all(|letter| is_apart(letter, SMALL)) && is_apart(&letters.concat(), BOX)
+    };
+    shapes.filter(is_text).map(|shape| shape[0].shape).collect()
+}
+
+/// Whether the stroke of an area, which is painted next, has the colour of white paper.
+fn has_plain_rim(drawing: &Drawing, outline: &Outline) -> bool {
+    let (coats, next) = (&drawing.painting.coats, outline.coat + 1);
+    coats.get(next as usize).is_some_and(|rim| rim.part == Part::Line) && drawing.painting.is_blank(next)
 }
 
 /// Whether letters are drawn in an upright rectangle right after it: a text, or areas that it holds.
@@ -51,5 +74,10 @@ fn holds_letters(drawing: &Drawing, outline: &Outline) -> bool {
     let is_upright = outline.points.iter().all(|&p| around.corners().iter().any(|&q| distance(p, q) <= slack));
     let coats = drawing.painting.coats.iter().skip(outline.coat as usize + 1).take(NEXT);
     let mut inside = coats.filter(|coat| matches!(coat.part, Part::Area | Part::Mark(Mark::Letters)));
-    is_upright && inside.next().is_some_and(|coat| coat.corners().iter().all(|&p| around.holds(p, 0.0)))
+    is_upright
+        && inside.next().is_some_and(|coat| {
+            let (middle, part) = (coat.middle(), if coat.part == Part::Area { 1.0 } else { LETTERS });
+            let near = |p: Point| Point::new(middle.x + part * (p.x - middle.x), middle.y + part * (p.y - middle.y));
+            coat.corners().iter().all(|&p| around.holds(near(p), 0.0))
+        })
 }

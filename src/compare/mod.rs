@@ -73,7 +73,7 @@
 //! | drawn | by |
 //! |---|---|
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
-//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
+//! | vertex | `circle`, `ellipse` or a closed `path` that is one, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
 //! | half-edge | where one is declared: a straight line on the left of its edge with a head: a filled one, a marker, strokes that meet, straight or bent, or all of it as one filled outline; twice is no fault |
 //!
@@ -111,7 +111,8 @@
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
 //! what crosses it, as letters do, may hide stretches of up to a twentieth of the drawing, and the small box of a label
 //! with letters in it a longer one in its middle, in all up to 45 parts of 100; dashes as usual leave gaps: but no gap
-//! of more than 24 px that is a third of the edge, or a quarter at its end. A vertex is seen if its circle is, and
+//! of more than 24 px that is a third of the edge, or a quarter at its end. An edge that the reference does not have is
+//! told if more than a tenth of it is seen between the circles at its ends. A vertex is seen if its circle is, and
 //! reaches no other vertex; it hides no more than half of an edge; its radius is not less than 0.1 px, and it reaches
 //! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. So
 //! what is covered by an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by

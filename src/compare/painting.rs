@@ -58,6 +58,15 @@ impl Disc {
         let far = (a * x + b * y).hypot(c * x + d * y);
         (self.from..=self.to).contains(&far)
     }
+
+    /// What its map takes to the axes of the circle of radius `to`, if it is no circle itself.
+    pub(super) fn axes(&self) -> Option<[Point; 2]> {
+        let [a, b, c, d] = self.inverse;
+        let is_circle =
+            (a * a + c * c - b * b - d * d).hypot(2.0 * (a * b + c * d)) <= 1e-6 * (a * a + b * b + c * c + d * d);
+        let part = self.to / (a * d - b * c);
+        (!is_circle && part.is_finite()).then(|| [Point::new(part * d, -part * c), Point::new(-part * b, part * a)])
+    }
 }
 
 /// Rings with a fill rule, indexed by height.

@@ -189,7 +189,8 @@ impl Sketch {
         let circles = circles.map(|(&m, &(_, radius))| (snap.points[m as usize], radius * frame.scale()));
         let mut circles = Circles::new(circles.collect(), tolerance);
         let mut loose = Loose::default();
-        drawing.lines.iter().for_each(|line| loose.add(line.ends.map(|p| frame.apply(p))));
+        let drawn = drawing.lines.iter().filter(|line| line.hidden.is_none());
+        drawn.for_each(|line| loose.add(line.ends.map(|p| frame.apply(p))));
         // All ends first: a line is cut only where something ends or stands.
         let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
         for (i, line) in drawing.lines.iter().enumerate() {

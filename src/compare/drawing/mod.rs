@@ -16,6 +16,7 @@
 //!   foreign.rs What stands in a foreignObject
 //!   lengths.rs Lengths of elements, by style and by attribute
 //!   marks.rs   Markers and letters
+//!   ovals.rs   Closed paths that are ellipses
 //!   reuse.rs   What stands somewhere else than where it is drawn
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
@@ -27,6 +28,7 @@ mod clips;
 mod foreign;
 mod lengths;
 mod marks;
+mod ovals;
 mod reuse;
 mod root;
 mod shapes;

@@ -6,6 +6,7 @@
 //! ```
 
 use super::axes::Axes;
+use super::ovals::{Oval, PIECES, ROUND, STEP};
 use super::{Around, Dot, FAR, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
 use crate::compare::colour::Paint;
 use crate::compare::error::{Fault, Problem};
@@ -19,8 +20,6 @@ use crate::compare::{declared, numbers};
 use crate::plane::Point;
 use roxmltree::Node;
 
-/// How far from its circle a round path may lie, as a part of the radius.
-const ROUND: f64 = 0.03;
 /// Of a line of fewer px than this, a screen shows less than a tenth of the ink; of a circle of such a radius, less than a
 /// twentieth.
 const THIN: f64 = 0.099;
@@ -32,8 +31,6 @@ const TINY: f64 = 0.1;
 const SHARP: f64 = 1e-4;
 /// A pattern that covers less than this leaves most of its area open.
 const SPARSE: f64 = 0.5;
-/// Pieces of curves that make a circle, at least.
-const PIECES: usize = 12;
 
 impl<'a, 'i> Reader<'a, 'i> {
     /// Reads any element that paints.
@@ -48,6 +45,9 @@ impl<'a, 'i> Reader<'a, 'i> {
         let flat = if is_flat(&paths) { around.ink.flat() } else { None };
         let flat = flat.map(|ink| Around { ink, ..around.clone() });
         let around = flat.as_ref().unwrap_or(around);
+        let dashed = stated(node, &paths).and_then(|by| around.ink.with_longer_dashes(by));
+        let dashed = dashed.map(|ink| Around { ink, ..around.clone() });
+        let around = dashed.as_ref().unwrap_or(around);
         self.count(paths.iter().map(|path| path.points.len()).sum(), offset)?;
         let mut placed = Vec::with_capacity(paths.len());
         for path in &paths {
@@ -59,14 +59,15 @@ impl<'a, 'i> Reader<'a, 'i> {
             placed.push((points?, path.closed));
         }
         let (outer, only) = (around, placed.first().filter(|_| placed.len() == 1));
-        let circle = only.filter(|_| around.stand.is_some()).and_then(|(points, closed)| round(points, *closed));
-        let circle = circle.map(|(centre, radius)| around.of_circle(centre, radius));
+        let is_only = is_only(&placed);
+        let circle = only.filter(|_| around.stand.is_some()).and_then(|(points, closed)| oval(points, *closed, true));
+        let circle = circle.map(|oval| around.of_circle(oval.centre, oval.radius));
         let around = circle.as_deref().unwrap_or(around);
         self.area(node, what, &placed, around);
         let has_curves = placed.iter().any(|(points, _)| points.iter().any(|p| p.1));
         for (points, closed) in &placed {
-            if let Some((centre, radius)) = round(points, *closed).filter(|_| !around.decorates) {
-                self.round_path(node, centre, radius, around);
+            if let Some(oval) = oval(points, *closed, is_only).filter(|_| !around.decorates) {
+                self.round_path(node, &oval, around);
             } else {
                 self.trace(node, points, *closed, what, has_curves, around);
             }
@@ -88,9 +89,10 @@ impl<'a, 'i> Reader<'a, 'i> {
             return;
         }
         let part = around.part(Part::Area);
+        let is_only = is_only(placed);
         if !around.decorates {
             // The coats of dots are discs.
-            let is_other = |(points, closed): &&(Vec<(Point, bool)>, bool)| round(points, *closed).is_none();
+            let is_other = |(points, closed): &&(Vec<(Point, bool)>, bool)| oval(points, *closed, is_only).is_none();
             let others = placed.iter().filter(|(points, _)| points.len() > 2).filter(is_other);
             rings = others.map(|(points, _)| points.iter().map(|p| p.0).collect()).collect();
             if rings.is_empty() {
@@ -118,7 +120,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let hole = node.parent().is_some_and(|group| group.attribute("data-hole") == Some("true"));
         let parts = placed.iter().zip(empty).filter(|((points, _), _)| points.len() > 2);
         for ((points, closed), empty) in parts {
-            if round(points, *closed).is_none() {
+            if oval(points, *closed, is_only).is_none() {
                 self.out.outlines.push(Outline {
                     points: points.iter().map(|p| p.0).collect(),
                     name: name.clone(),
@@ -247,13 +249,13 @@ impl<'a, 'i> Reader<'a, 'i> {
         hidden.or(is_tiny.then_some(Hidden::Tiny))
     }
 
-    /// A circle drawn by a path.
-    fn round_path(&mut self, node: Node<'_, '_>, centre: Point, radius: f64, around: &Around) {
-        let hidden = self.hidden_circle(around, radius);
-        let one = 1.0 / radius;
-        self.discs(Disc { centre, inverse: [one, 0.0, 0.0, one], from: 0.0, to: 1.0, reach: radius }, radius, around);
+    /// A circle or an ellipse drawn by a path.
+    fn round_path(&mut self, node: Node<'_, '_>, oval: &Oval, around: &Around) {
+        let &Oval { centre, inverse, radius, reach } = oval;
+        let hidden = self.hidden_circle(around, reach);
+        self.discs(Disc { centre, inverse, from: 0.0, to: 1.0, reach }, radius, around);
         let vertex = node.parent().and_then(declared::vertex);
-        self.dot(centre, radius + Self::rim(around), hidden, around, vertex);
+        self.dot(centre, reach + Self::rim(around), hidden, around, vertex);
     }
 
     /// How far a stroke reaches beyond its circle.
@@ -327,6 +329,18 @@ impl<'a, 'i> Reader<'a, 'i> {
         );
         Ok(())
     }
+}
+
+/// How many times as long some stretches are as their element says, which is what its dashes are measured by.
+fn stated(node: Node<'_, '_>, paths: &[Subpath]) -> Option<f64> {
+    let stated = node.attribute("pathLength").and_then(numbers::measure).filter(|length| *length > 0.0)?;
+    let mut length = 0.0;
+    for Subpath { points, closed } in paths {
+        let back = points.first().filter(|_| *closed);
+        let ends = points.iter().zip(points.iter().skip(1).chain(back));
+        length += ends.map(|((p, _), (q, _))| (q[0] - p[0]).hypot(q[1] - p[1])).sum::<f64>();
+    }
+    Some(length / stated)
 }
 
 /// Whether something has no width or no height.
@@ -422,6 +436,17 @@ fn rect(node: Node<'_, '_>, around: &Around) -> Result<Vec<Subpath>, Fault> {
     Ok(vec![Subpath { points, closed: true }])
 }
 
+/// Whether an element draws one stretch only; a move alone is none.
+fn is_only(placed: &[(Vec<(Point, bool)>, bool)]) -> bool {
+    placed.iter().filter(|(points, _)| points.len() > 1).count() == 1
+}
+
+/// The circle that a closed stretch of curves is, or, if it is all of its element, the ellipse.
+fn oval(points: &[(Point, bool)], closed: bool, is_only: bool) -> Option<Oval> {
+    let circle = round(points, closed).map(Oval::circle);
+    circle.or_else(|| if is_only { Oval::of(points, closed) } else { None })
+}
+
 /// The middle and the radius of a closed stretch of curves that is a circle. Straight sides are those of a polygon.
 fn round(points: &[(Point, bool)], closed: bool) -> Option<(Point, f64)> {
     let (first, last) = (points.first()?.0, points.last()?.0);
@@ -433,7 +458,7 @@ fn round(points: &[(Point, bool)], closed: bool) -> Option<(Point, f64)> {
     let (centre, radius) = circle_through(corners)?;
     let fits = |p: Point| (distance(p, centre) - radius).abs() <= ROUND * radius;
     // All round, and not an arc with its chord.
-    let step = |p: Point, q: Point| distance(p, q) <= 0.8 * radius;
+    let step = |p: Point, q: Point| distance(p, q) <= STEP * radius;
     let ends = step(last, first) && (closed || distance(first, last) <= ROUND * radius);
     let all = points.iter().all(|p| fits(p.0)) && points.windows(2).all(|w| step(w[0].0, w[1].0));
     (ends && all).then_some((centre, radius))

@@ -60,6 +60,8 @@ impl Stamp {
 /// A stamp at a vertex.
 struct Placed {
     shape: u32,
+    /// At which of its middles it stands.
+    which: usize,
     at: Point,
     radius: f64,
     is_hollow: bool,
@@ -87,7 +89,7 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
         let is_free = stamp.corners.iter().all(|&p| firm.near(p, reach).is_none() && dots.near(p, reach).is_none());
         let i = (0..2).find(|&i| is_free && is_vertex(stamp.middles[i]))?;
         let Stamp { shape, is_hollow, .. } = *stamp;
-        Some(Placed { shape, at: stamp.middles[i], radius: stamp.radii[i], is_hollow })
+        Some(Placed { shape, which: i, at: stamp.middles[i], radius: stamp.radii[i], is_hollow })
     };
     let mut vertices: Vec<Placed> = found.iter().filter_map(place).collect();
     let radii = |vertices: &[Placed]| vertices.iter().map(|stamp| stamp.radius).collect();
@@ -135,12 +137,14 @@ fn strays(
     };
     let alike = |a: &Coat, b: &Coat| contrast(a.colour, b.colour) < FAINT;
     let first = vertices.first();
+    // One that looks like another stands as that does.
+    let which = first.map_or(0, |other| other.which);
     let circles: Vec<f64> = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.radius).collect();
     let circle = painting.coats.iter().find(|coat| coat.part == Part::Dot && coat.alpha > 0.5);
     let circle = circle.zip(usual(circles)).filter(|_| first.is_none());
     let is_vertex = |stamp: &&Stamp| {
         let Some(own) = coat(stamp.shape) else { return false };
-        let radius = stamp.radii[0];
+        let radius = stamp.radii[which];
         let is_like = first.is_some_and(|other| {
             stamp.is_hollow == other.is_hollow
                 && (radius - other.radius).abs() <= FIT * other.radius
@@ -150,14 +154,14 @@ fn strays(
             let about = ABOUT[0] * usual..=ABOUT[1] * usual;
             stamp.is_square && !stamp.is_hollow && about.contains(&radius) && alike(own, other)
         });
-        let is_alone = stamp.corners.iter().chain(&stamp.middles[..1]).all(|&p| is_free(p));
+        let is_alone = stamp.corners.iter().chain(&stamp.middles[which..=which]).all(|&p| is_free(p));
         let is_blank = painting.is_blank(coats[stamp.shape as usize].start);
         (is_like || is_about) && is_alone && !is_blank
     };
     let is_new = |stamp: &&Stamp| vertices.iter().all(|known| known.shape != stamp.shape);
     let place = |stamp: &Stamp| {
         let Stamp { shape, is_hollow, .. } = *stamp;
-        Placed { shape, at: stamp.middles[0], radius: stamp.radii[0], is_hollow }
+        Placed { shape, which, at: stamp.middles[which], radius: stamp.radii[which], is_hollow }
     };
     found.iter().filter(is_vertex).filter(is_new).map(place).collect()
 }

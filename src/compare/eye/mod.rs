@@ -19,7 +19,7 @@ mod gaps;
 use super::beside::Beside;
 use super::cells::{cell, column, entries, level, pieces};
 use super::ink::Hidden;
-use super::painting::{Coat, Mark, Painting, Part, Shape};
+use super::painting::{Coat, Disc, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
 use gaps::{Gap, Way};
@@ -238,9 +238,15 @@ impl<'a> Eye<'a> {
         self.colour(|i, _| self.paper.binary_search(&i).is_ok())
     }
 
-    /// Why hardly anything of an edge is seen, if that is so. `ends` are on the canvas; `discs` are the radii of the
-    /// circles there.
-    pub(super) fn edge(&mut self, [a, b]: [Point; 2], discs: [f64; 2], tolerance: f64) -> Result<(), Hidden> {
+    /// Why an edge is not seen, if that is so: nearly all of one that is expected has to be, and hardly anything of a
+    /// stranger may be. `ends` are on the canvas; `discs` are the radii of the circles there.
+    pub(super) fn edge(
+        &mut self,
+        [a, b]: [Point; 2],
+        discs: [f64; 2],
+        tolerance: f64,
+        is_stranger: bool,
+    ) -> Result<(), Hidden> {
         let length = distance(a, b);
         let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
         let way = Way { from: a, along, length, discs, tolerance };
@@ -280,7 +286,8 @@ impl<'a> Eye<'a> {
         let open = [marks.first(), marks.last()].iter().flatten().all(|mark| mark.2);
         let labelled = gap_is_small && open;
         let enough = seen >= SEEN || seen >= 1.0 - GAP && (labelled || seen + part(crossed) >= SEEN);
-        if enough && alone >= ALONE && !blotted {
+        let shows = is_stranger && part(marks.iter().filter(|mark| mark.0 && mark.1).count()) > 1.0 - SEEN;
+        if shows || enough && alone >= ALONE && !blotted {
             return Ok(());
         }
         reasons.sort_unstable();
@@ -420,9 +427,11 @@ impl<'a> Eye<'a> {
         let within = self.stack.iter().any(is_wider);
         // Where its colour is not that of the paper: points at which lines have it, too, and areas.
         let (mut swallowed, mut grounded, mut blank) = (0, 0, 0);
+        let axes = self.axes(centre, radius, tolerance);
         let round = |part: f64, i: usize| {
             let (s, c) = (std::f64::consts::TAU * (i as f64 + 0.3) / ROUND as f64).sin_cos();
-            Point::new(centre.x + part * radius * c, centre.y + part * radius * s)
+            let (s, c) = (part * s, part * c);
+            Point::new(centre.x + c * axes[0].x + s * axes[1].x, centre.y + c * axes[0].y + s * axes[1].y)
         };
         // Well inside, and where a rim is: however thin, one of the last two lies on it.
         for part in [0.45, 0.8, 0.93, 0.985] {
@@ -483,6 +492,17 @@ impl<'a> Eye<'a> {
         let painting = self.painting;
         let coats = found.map(move |&(_, i)| &painting.coats[i as usize]);
         coats.filter(move |coat| matches!(&coat.shape, Shape::Disc(disc) if distance(disc.centre, centre) <= tolerance))
+    }
+
+    /// Two half diameters of the largest circle at a vertex, which may be drawn as an ellipse, to its outer rim.
+    fn axes(&self, centre: Point, radius: f64, tolerance: f64) -> [Point; 2] {
+        let discs = self.circles(centre, tolerance).filter_map(|coat| match &coat.shape {
+            Shape::Disc(disc) => Some(disc),
+            _ => None,
+        });
+        let largest = discs.max_by(|a, b| a.reach.total_cmp(&b.reach));
+        let upright = [Point::new(radius, 0.0), Point::new(0.0, radius)];
+        largest.and_then(Disc::axes).unwrap_or(upright)
     }
 
     /// Why nothing lies where a circle at a vertex should be seen: it is cut off, or only its rim is drawn.

@@ -88,6 +88,21 @@ fn drawn(form: impl Fn(&Arrow) -> String) -> String {
     svg.replacen("</svg>", MARKER, 1)
 }
 
+/// The reference with lines that end at the bases of heads so long.
+pub(super) fn heads_on_their_bases(size: f64) -> String {
+    drawn(|arrow| {
+        let long = (arrow.end[0] - arrow.start[0]).hypot(arrow.end[1] - arrow.start[1]);
+        if long < 30.0 {
+            return arrow.line(" marker-end=\"url(#tip)\"");
+        }
+        let base = arrow.at(arrow.end, -size, 0.0);
+        let [left, tip, right] =
+            [(-size, 0.45 * size), (0.0, 0.0), (-size, -0.45 * size)].map(|(t, a)| arrow.at(arrow.end, t, a));
+        let start = arrow.at(arrow.start, 0.0, 0.0);
+        format!("<path class=\"sh\" d=\"M{start}L{base}\"/><path class=\"barb\" d=\"M{left}L{tip}L{right}z\"/>")
+    })
+}
+
 #[test]
 fn arrows_are_drawn_in_many_ways() {
     for (name, form) in FORMS {

@@ -18,6 +18,7 @@ mod seen;
 mod sheets;
 mod shown;
 mod square;
+mod strangers;
 mod tools;
 mod values;
 mod variants;
