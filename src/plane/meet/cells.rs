@@ -50,8 +50,6 @@ const MARGIN: f64 = 1.0 / 64.0;
 /// No cell is narrower or lower than this part of the whole. Then places in a grid are off by a few 2^-33 of a cell, and the
 /// place where an edge passes a line by 2^20 times that, since it is 2^20 cells wide at most: far less than the margin.
 const FINEST: f64 = 1.0 / (1 << 20) as f64;
-/// Says that an item is in several cells, or in none.
-const MANY_CELLS: u32 = u32::MAX;
 /// So often a cell that has nearly all edges of a grid is divided again.
 const PATIENCE: u32 = 3;
 
@@ -233,20 +231,20 @@ impl Search<'_> {
         let mut starts = vec![0_u32; cells.count[0] * cells.count[1] + 1];
         // Where all items of a cell are of one set, nothing meets.
         let mut sets = vec![u8::MAX; starts.len()];
+        // The cells of each item, row by row: from one to another.
+        let mut runs: Vec<[u32; 3]> = Vec::with_capacity(items.len());
         let mut sum = 0_usize;
-        // Most items are in one cell, which is kept.
-        let mut homes: Vec<u32> = Vec::with_capacity(items.len());
         for &item in items {
-            let (set, before, mut home) = (self.set(item), sum, MANY_CELLS);
+            let set = self.set(item);
             cells.rows_of(self.ends(item).map(|p| self.offset(p)), |row, first, last| {
+                let run = number(first, row)..=number(last, row);
+                runs.push([*run.start() as u32, *run.end() as u32, item]);
                 sum += last - first + 1;
-                home = number(first, row) as u32;
-                for cell in number(first, row)..=number(last, row) {
+                for cell in run {
                     starts[cell] += 1;
                     sets[cell] &= set;
                 }
             });
-            homes.push(if sum - before == 1 { home } else { MANY_CELLS });
         }
         self.spend(starts.len() / 4 + sum)?;
         let mut all = 0;
@@ -255,21 +253,13 @@ impl Search<'_> {
             *start = u32::try_from(all).map_err(|_| NoMeetings::LeftToSweep)?;
         }
         let mut lists = vec![0_u32; all];
-        for (&item, &home) in items.iter().zip(&homes).rev() {
-            let mut put = |cell: usize| {
-                if sets[cell] == 0 {
-                    starts[cell] -= 1;
-                    lists[starts[cell] as usize] = item;
-                }
-            };
-            if home == MANY_CELLS {
-                cells.rows_of(self.ends(item).map(|p| self.offset(p)), |row, first, last| {
-                    (number(first, row)..=number(last, row)).for_each(&mut put);
-                });
-            } else {
-                put(home as usize);
+        for &[first, last, item] in runs.iter().rev() {
+            for cell in (first as usize..=last as usize).filter(|&cell| sets[cell] == 0) {
+                starts[cell] -= 1;
+                lists[starts[cell] as usize] = item;
             }
         }
+        drop((runs, sets));
         for cell in 0..starts.len() - 1 {
             let list = &lists[starts[cell] as usize..starts[cell + 1] as usize];
             if list.len() < 2 {

@@ -15,6 +15,7 @@ use crate::geometry::predicates::{left_to_right, sort_key};
 use crate::plane::Point;
 use crate::plane::meet::{Crossed, Meetings, NoMeetings, is_moved, meetings, placed as placed_at};
 use crate::plane::sweep::rightwards;
+use std::cmp::Ordering;
 
 /// The cuts of one round.
 pub(super) struct Cuts {
@@ -59,7 +60,7 @@ impl Cuts {
             return Ok(Self { cuts, new });
         }
         cuts.extend(touches.iter().map(|&[edge, point]| (edge, point)));
-        let compare = |&one: &u32, &other: &u32| {
+        let compare = |one: u32, other: u32| {
             let known = |p: u32| points.get(p as usize).copied();
             let crossed = |p: u32| {
                 let [one, other] = both(crossings[order[(p - old) as usize] as usize]);
@@ -77,7 +78,7 @@ impl Cuts {
         for (edge, of) in (0..edges.len()).map(|e| (e as u32, touched.of(e))) {
             let list = by_edge.of_mut(edge as usize);
             if !of.is_empty() {
-                list.sort_unstable_by(compare);
+                sort_by(list, &compare);
             }
             cuts.extend(list.iter().map(|&point| (edge, point)));
         }
@@ -99,7 +100,8 @@ fn from_left_to_right(placed: &[Placed], ends: impl Fn(u32) -> [[Point; 2]; 2]) 
     order.sort_unstable();
     let right = |&(_, i): &(u64, u32)| placed[i as usize].2;
     for same in order.chunk_by_mut(|a, b| a.0 == b.0).filter(|same| same.len() > 1) {
-        same.sort_unstable_by(|a, b| right(a)[0].total_cmp(&right(b)[0]));
+        same.iter_mut().for_each(|place| place.0 = sort_key(right(place)[0]));
+        same.sort_unstable();
         // Those before a place are left of those behind it if all bounds say so.
         let mut first = 0;
         let mut reach = f64::NEG_INFINITY;
@@ -118,16 +120,28 @@ fn from_left_to_right(placed: &[Placed], ends: impl Fn(u32) -> [[Point; 2]; 2]) 
 fn exactly(some: &mut [(u64, u32)], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Option<()> {
     let [(_, first), rest @ ..] = &*some else { return Some(()) };
     // In rows of things that are alike, crossings lie above each other as the things do.
-    if rest.iter().all(|&(_, i)| is_moved(ends(i), ends(*first))) {
-        let by_end = |a: &(u64, u32), b: &(u64, u32)| left_to_right(ends(a.1)[0][0], ends(b.1)[0][0]);
-        some.sort_unstable_by(by_end);
-        return some.windows(2).all(|pair| by_end(&pair[0], &pair[1]).is_lt()).then_some(());
-    }
-    let all: Vec<Crossed> = some.iter().map(|&(_, i)| ends(i)).map(|[one, other]| Crossed::new(one, other)).collect();
-    let compare = |&a: &u32, &b: &u32| all[a as usize].order_to(&all[b as usize]);
+    let are_moved = rest.iter().all(|&(_, i)| is_moved(ends(i), ends(*first)));
+    let crossed = |&(_, i): &(u64, u32)| {
+        let [one, other] = ends(i);
+        Crossed::new(one, other)
+    };
+    let all: Vec<Crossed> = if are_moved { Vec::new() } else { some.iter().map(crossed).collect() };
+    let compare = |a: u32, b: u32| {
+        if are_moved {
+            let [p, q] = [a, b].map(|place| ends(some[place as usize].1)[0][0]);
+            return left_to_right(p, q);
+        }
+        all[a as usize].order_to(&all[b as usize])
+    };
     let mut places: Vec<u32> = (0..some.len() as u32).collect();
-    places.sort_unstable_by(compare);
+    sort_by(&mut places, &compare);
+    let are_different = places.windows(2).all(|pair| compare(pair[0], pair[1]).is_lt());
     let sorted: Vec<(u64, u32)> = places.iter().map(|&place| some[place as usize]).collect();
     some.copy_from_slice(&sorted);
-    places.windows(2).all(|pair| compare(&pair[0], &pair[1]).is_lt()).then_some(())
+    are_different.then_some(())
+}
+
+/// Sorts by comparisons that take much longer than the sort.
+pub(super) fn sort_by(list: &mut [u32], compare: &dyn Fn(u32, u32) -> Ordering) {
+    list.sort_unstable_by(|&a, &b| compare(a, b));
 }

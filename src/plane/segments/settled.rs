@@ -6,7 +6,7 @@
 //!       ╱ ╲         the half-edges round each vertex in their order.
 //! ```
 
-use super::crossed::Cuts;
+use super::crossed::{Cuts, sort_by};
 use super::graph::Graph;
 use super::trace::{OneRings, Seen};
 use crate::geometry::grouping::grouped;
@@ -30,7 +30,7 @@ pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<S
         let far = |h: u32| points[origins[(h ^ 1) as usize] as usize];
         let is_left = |h: u32| left_to_right(far(h), here).is_lt();
         let ring = &mut half_edges[ends[0] as usize..ends[1] as usize];
-        ring.sort_unstable_by(|&g, &h| {
+        sort_by(ring, &|g, h| {
             is_left(g).cmp(&is_left(h)).then_with(|| orientation(here, far(h), far(g))).then(g.cmp(&h))
         });
         one_rings.link_all(point, ring.iter().copied());

@@ -95,23 +95,15 @@ fn page(repository: &Path, wasm: &[u8], bindings: &str, stamp: &str) -> Result<S
         .replace("@@STAMP@@", stamp)
         .replace("/*BINDINGS*/", bindings)
         .replace("/*SCRIPT*/", &js)
-        .replace("@@WASM@@", &base64(&gzip(wasm)));
+        .replace("@@WASM@@", &base64(&gzip(wasm)?));
     Ok(page)
 }
 
 /// A gzip file without name and time.
-fn gzip(bytes: &[u8]) -> Vec<u8> {
-    let mut out = vec![0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 2, 255];
-    out.extend(miniz_oxide::deflate::compress_to_vec(bytes, 10));
-    out.extend(crc(bytes).to_le_bytes());
-    out.extend((bytes.len() as u32).to_le_bytes());
-    out
-}
-
-fn crc(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0_u32, |sum, &byte| {
-        (0..8).fold(sum ^ u32::from(byte), |sum, _| (sum >> 1) ^ (0xedb8_8320 & (sum & 1).wrapping_neg()))
-    })
+fn gzip(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut out = Vec::new();
+    zopfli::compress(zopfli::Options::default(), zopfli::Format::Gzip, bytes, &mut out)?;
+    Ok(out)
 }
 
 fn base64(bytes: &[u8]) -> String {
