@@ -41,8 +41,9 @@ pub(in crate::plane) enum NoMeetings {
 
 /// So many edges of a cell are compared pair by pair.
 const FEW: usize = 10;
-/// So many edges a cell has on the average, where large cells come first.
-const MANY: f64 = 64.0;
+/// So many edges for each cell of a grid, and where large cells come first.
+const SOME: usize = 3;
+const MANY: usize = 64;
 /// Steps for each edge and each meeting pair, after which the work breaks off.
 const STEPS: usize = 48;
 /// The margin round a cell, as a part of its side.
@@ -73,8 +74,7 @@ pub(in crate::plane) fn meetings(
     let mut search = Search { points, edges, loose, sets, low, finest, found: Meetings::default(), steps: 0 };
     let items: Vec<u32> = (0..(edges.len() + loose.len()) as u32).collect();
     // Where sets are known, large cells come first: most of them have the edges of one set only, and are done.
-    let large = [(items.len() as f64 / MANY).sqrt() as usize; 2];
-    let sides = if sets.is_empty() { search.sides(&items, &whole) } else { large };
+    let sides = search.sides(&items, &whole, if sets.is_empty() { SOME } else { MANY });
     search.compare(&items, &whole, sides, PATIENCE)?;
     let mut found = search.found;
     for list in [&mut found.crossings, &mut found.touches] {
@@ -209,9 +209,9 @@ impl Search<'_> {
         }
     }
 
-    /// How many columns and rows divide a frame best: a cell for three items, but none narrower than items are wide there, nor
-    /// lower than they are high.
-    fn sides(&self, items: &[u32], frame: &Frame) -> [usize; 2] {
+    /// How many columns and rows divide a frame best: a cell for so many items, but none narrower than items are wide there, nor
+    /// lower than they are high. So an item is in few cells on the average.
+    fn sides(&self, items: &[u32], frame: &Frame, each: usize) -> [usize; 2] {
         let within = |item: u32, i: usize| {
             let [a, b] = self.ends(item).map(|p| self.offset(p)[i]);
             (a.max(b).min(frame.low[i] + frame.size[i]) - a.min(b).max(frame.low[i])).max(0.0)
@@ -219,7 +219,7 @@ impl Search<'_> {
         let mean = |i: usize| items.iter().map(|&item| within(item, i)).sum::<f64>() / items.len() as f64;
         // A cast takes what is no number for 0.
         let most = [0, 1].map(|i| ((frame.size[i] / mean(i).max(self.finest[i])) as usize).max(1));
-        let cells = (items.len() / 3).max(1);
+        let cells = (items.len() / each).max(1);
         let side = (cells as f64).sqrt().ceil() as usize;
         let [columns, rows] = most.map(|most| side.min(most));
         [(cells / rows).clamp(1, most[0]), (cells / columns).clamp(1, most[1])]
@@ -268,7 +268,7 @@ impl Search<'_> {
             let inner = cells.frame(cell % cells.count[0], cell / cells.count[0]);
             let is_nearly_all = 4 * list.len() > 3 * items.len();
             let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
-            let sides = if list.len() <= FEW || patience == 0 { [1, 1] } else { self.sides(list, &inner) };
+            let sides = if list.len() <= FEW || patience == 0 { [1, 1] } else { self.sides(list, &inner, SOME) };
             self.compare(list, &inner, sides, patience)?;
         }
         Ok(())

@@ -84,12 +84,12 @@ impl Input {
         Self { first: Some(first), ..self }
     }
 
-    /// A bit for the first segments, if they are known to meet at common ends only, and one for the others, by edge.
+    /// By edge a bit for the first segments and one for the others, if each of them are known to meet at common ends only.
     fn sets(&self, half: &[u32], edges: usize) -> Vec<u8> {
+        let Some(first) = self.first else { return Vec::new() };
         let mut sets = vec![0; edges];
-        if let Some(first) = self.first {
-            let bit = |long: usize| if (self.name(long) as usize) < first { 1 } else { 2 };
-            half.iter().enumerate().for_each(|(i, &h)| sets[(h >> 1) as usize] |= bit(i));
+        for (long, &h) in half.iter().enumerate() {
+            sets[(h >> 1) as usize] |= if (self.name(long) as usize) < first { 1 } else { 2 };
         }
         sets
     }
