@@ -45,12 +45,14 @@ const FEW: usize = 10;
 const SOME: usize = 3;
 const MANY: usize = 64;
 /// Steps for each edge and each meeting pair, after which the work breaks off.
-const STEPS: usize = 48;
+const STEPS: usize = 32;
 /// The margin round a cell, as a part of its side.
 const MARGIN: f64 = 1.0 / 64.0;
-/// No cell is narrower or lower than this part of the whole. Then places in a grid are off by a few 2^-33 of a cell, and the
-/// place where an edge passes a line by 2^20 times that, since it is 2^20 cells wide at most: far less than the margin.
-const FINEST: f64 = 1.0 / (1 << 20) as f64;
+/// No cell is narrower or lower than this part of the whole. Then places in a grid are off by a few 2^-21 of a cell.
+const FINEST: f64 = 1.0 / (1_u64 << 32) as f64;
+/// Edges that pass more columns than this in a row are in all cells of their box. The place where another one passes the side
+/// of a row is off by so many times as much: less than the margin.
+const FLAT: f64 = (1 << 10) as f64;
 /// So often a cell that has nearly all edges of a grid is divided again.
 const PATIENCE: u32 = 3;
 
@@ -134,11 +136,11 @@ impl Cells {
         }
         let Some((bottom, top)) = span(v, t, self.count[1]) else { return };
         let Some((left, right)) = span(u.min(s), u.max(s), self.count[0]) else { return };
-        if top - bottom < 2 || left == right {
+        let slope = (s - u) / (t - v);
+        if top - bottom < 2 || left == right || slope.abs() > FLAT {
             (bottom..=top).for_each(|row| see(row, left, right));
             return;
         }
-        let slope = (s - u) / (t - v);
         for row in bottom..=top {
             let [from, to] = [row as f64 - MARGIN, (row + 1) as f64 + MARGIN].map(|at| at.clamp(v, t));
             let [from, to] = [from, to].map(|at| u + (at - v) * slope);

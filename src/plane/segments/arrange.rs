@@ -117,7 +117,6 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
     let mut given = graph.points.len();
     let mut pieces = None;
-    let mut split = Split::none(graph.edges.len());
     let grid = if options.split { options.grid.map(|size| checked(size, &graph.points)).transpose()? } else { None };
     let mut cuts = None;
     if options.split && grid.is_none() {
@@ -130,19 +129,16 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         };
     }
     let whole = graph.edges.len();
-    let seen = match cuts {
-        Some(cuts) if !cuts.is_empty() => {
-            let seen;
-            (split, seen) = split_all(&mut graph, None, Some(cuts))?;
-            seen
-        }
+    let (split, seen) = match cuts {
+        Some(cuts) if !cuts.is_empty() => split_all(&mut graph, None, Some(cuts))?,
         _ => {
-            let mut seen = look(&graph)?;
+            let seen = look(&graph)?;
             if options.split && (seen.intersection.is_some() || grid.is_some()) {
                 pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));
-                (split, seen) = split_all(&mut graph, grid, None)?;
+                split_all(&mut graph, grid, None)?
+            } else {
+                (Split::none(whole), seen)
             }
-            seen
         }
     };
     let pieces = pieces.unwrap_or_else(|| Pieces::whole(whole));
