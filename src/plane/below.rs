@@ -83,7 +83,7 @@ mod tests {
             let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };
             let s = Subdivision::arrange_segments(&segments, &options).unwrap().subdivision;
             let points: Vec<Point> = s.vertices().map(|v| s.point(v)).collect();
-            let edges: Vec<[u32; 2]> = s.edges().map(|e| s.edge_ends(e).map(|v| v.number())).collect();
+            let edges: Vec<[u32; 2]> = s.edges().map(|e| s.edge_ends(e).map(crate::ids::VertexId::number)).collect();
             let mut by_place: Vec<u32> = (0..points.len() as u32).collect();
             by_place.sort_by(|&a, &b| left_to_right(points[a as usize], points[b as usize]));
             let all = sweep_in_order(&points, &edges, &by_place, false, |_| ()).below;

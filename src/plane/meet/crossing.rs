@@ -175,7 +175,8 @@ pub(in crate::plane) fn placed(ends: [[Point; 2]; 2]) -> (Point, f64, [f64; 2]) 
     let allowed = |&(x, _): &(f64, f64)| x == 0.0 || x.abs() >= SMALLEST;
     let exactly = |i: usize| Crossing::new([0, 1], ends).divide(i);
     // Along an upright or a level segment one coordinate is known.
-    let known = |part: fn(Point) -> f64| ends.iter().find(|[a, b]| part(*a) == part(*b)).map(|[a, _]| (part(*a), 0.0));
+    let known =
+        |part: fn(Point) -> f64| ends.iter().find(|[a, b]| part(*a) - part(*b) == 0.0).map(|[a, _]| (part(*a), 0.0));
     let divide = |part: fn(Point) -> f64, i: usize| {
         let quick = || quick[i].and_then(DoubleDouble::nearest).filter(allowed);
         known(part).or_else(quick).unwrap_or_else(|| exactly(i))

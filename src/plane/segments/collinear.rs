@@ -354,7 +354,7 @@ mod tests {
             list.extend(beside);
             let graph = graph(&list);
             let mut made = graph.clone();
-            let pieces = Pieces::cut(&mut made);
+            Pieces::cut(&mut made);
             let ends = |e: &[u32; 2]| {
                 let [a, b] = e.map(|p| graph.points[p as usize]);
                 if left_to_right(a, b).is_lt() { [a, b] } else { [b, a] }
