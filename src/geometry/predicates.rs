@@ -43,7 +43,8 @@ pub(crate) const ROUNDING: f64 = 3.330_669_073_875_472e-16;
 #[must_use]
 #[inline]
 pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Ordering {
-    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [p.x - d.x, p.y - d.y]);
+    let from_d = |p: Point| [p.x - d.x, p.y - d.y];
+    let ([ax, ay], [bx, by], [cx, cy]) = (from_d(a), from_d(b), from_d(c));
     let [bc, cb, ca, ac, ab, ba] = [bx * cy, cx * by, cx * ay, ax * cy, ax * by, bx * ay];
     let [aa, bb, cc] = [ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy];
     let determinant = aa * (bc - cb) + bb * (ca - ac) + cc * (ab - ba);

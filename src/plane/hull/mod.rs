@@ -89,38 +89,38 @@ pub fn convex_hull_observed(points: &[Point], observer: &mut impl Observer<HullE
     for (point, p) in points.iter().enumerate() {
         p.check().map_err(|error| HullError::Coordinate { point: point as u32, error })?;
     }
-    let (lower, upper) = strips::sides(points, &strips::outer(points, outer_points(points)));
+    let (mut lower, upper) = strips::sides(points, &strips::outer(points, outer_points(points)));
     let left = upper.as_ref().map_or(lower.len(), |upper| lower.len() + upper.len() - 2);
     observer.observe(|| HullEvent::Sorted { aside: (points.len() - left) as u32 });
-    let mut corners = Vec::new();
-    take_in(lower.iter().copied(), &mut corners, observer);
-    // The last point is the first of the way back, and the first is its end.
-    corners.pop();
+    let mut upper = upper.unwrap_or_else(|| lower.clone());
+    scan(&mut lower, observer);
     observer.observe(|| HullEvent::Turned);
-    take_in(upper.as_ref().unwrap_or(&lower).iter().rev().copied(), &mut corners, observer);
-    if corners.len() > 1 {
-        corners.pop();
+    upper.reverse();
+    scan(&mut upper, observer);
+    // The last point of each way is the first of the other one; points at one place are one, which both ways begin with.
+    lower.pop();
+    if upper.len() > 1 {
+        upper.pop();
     }
-    Ok(corners.into_iter().map(|(_, i)| i).collect())
+    Ok(lower.into_iter().chain(upper).map(|(_, i)| i).collect())
 }
 
-/// Appends the corners of one side to those of the other.
-fn take_in(
-    order: impl Iterator<Item = (Point, u32)>,
-    corners: &mut Vec<(Point, u32)>,
-    observer: &mut impl Observer<HullEvent>,
-) {
-    let first = corners.len();
-    for (p, point) in order {
-        while let [.., (a, _), (b, corner)] = corners[first..]
+/// Drops those of some points in order that are no corners of their one side.
+fn scan(order: &mut Vec<(Point, u32)>, observer: &mut impl Observer<HullEvent>) {
+    let mut corners = 0;
+    for next in 0..order.len() {
+        let (p, point) = order[next];
+        while let [.., (a, _), (b, corner)] = order[..corners]
             && !orientation(a, b, p).is_gt()
         {
             observer.observe(|| HullEvent::Dropped { corner, point });
-            corners.pop();
+            corners -= 1;
         }
         observer.observe(|| HullEvent::Taken(point));
-        corners.push((p, point));
+        order[corners] = (p, point);
+        corners += 1;
     }
+    order.truncate(corners);
 }
 
 /// The points that may be corners, in increasing order.

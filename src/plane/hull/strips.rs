@@ -10,7 +10,7 @@
 //! Chains are measured at both sides of a strip; between them a lower one is below the higher of the two places. What is
 //! nearer to a chain than any rounding is left to the scan, which is exact.
 
-use super::take_in;
+use super::scan;
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
@@ -23,6 +23,11 @@ const FEW: usize = 2_000;
 const MOST_STRIPS: usize = 4_096;
 /// At most so many points are asked first whether a look at all of them pays.
 const SAMPLE: usize = 1 << 16;
+/// So many points are filled into strips of a few each; of more, strips of a crowd are made first.
+const NEAR: usize = 1 << 15;
+const CROWD: usize = 1 << 12;
+/// How often a strip is cut into strips before its points are sorted by comparisons.
+const LEVELS: usize = 3;
 const NONE: u32 = u32::MAX;
 
 /// Points with their numbers.
@@ -37,9 +42,9 @@ struct Strips {
 
 impl Strips {
     /// So many of them; none if points lie too near each other for that.
-    fn new(points: &[Point], which: &[u32], count: usize) -> Option<Self> {
-        let ends = |(low, high): (f64, f64), &i: &u32| (low.min(points[i as usize].x), high.max(points[i as usize].x));
-        let (left, right) = which.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+    fn new(points: impl Iterator<Item = Point>, count: usize) -> Option<Self> {
+        let ends = |(low, high): (f64, f64), p: Point| (low.min(p.x), high.max(p.x));
+        let (left, right) = points.fold((f64::INFINITY, f64::NEG_INFINITY), ends);
         let scale = count as f64 / (right - left);
         scale.is_finite().then_some(Self { left, scale, count })
     }
@@ -64,7 +69,8 @@ pub(super) fn outer(points: &[Point], which: Vec<u32>) -> Vec<u32> {
     }
     // A sample makes chains that are nearly as far out, and tells whether they are worth a look at all points.
     let sample: Vec<Point> = which.iter().step_by(which.len().div_ceil(SAMPLE)).map(|&i| points[i as usize]).collect();
-    let Some(strips) = Strips::new(points, &which, MOST_STRIPS.min(sample.len() / 32)) else { return which };
+    let all = which.iter().map(|&i| points[i as usize]);
+    let Some(strips) = Strips::new(all, MOST_STRIPS.min(sample.len() / 32)) else { return which };
     let inside = between_chains(&sample, &strips);
     let is_inside = |p: Point| {
         let [low, high] = inside[strips.of(p)];
@@ -89,9 +95,10 @@ fn between_chains(points: &[Point], strips: &Strips) -> Vec<[f64; 2]> {
         }
     }
     let used = || extreme.iter().filter(|pair| pair[0] != NONE).map(|pair| pair.map(|i| (points[i as usize], i)));
-    let (mut lower, mut upper) = (Vec::new(), Vec::new());
-    take_in(used().map(|[low, _]| low), &mut lower, &mut NoObserver);
-    take_in(used().rev().map(|[_, high]| high), &mut upper, &mut NoObserver);
+    let mut lower: Named = used().map(|[low, _]| low).collect();
+    let mut upper: Named = used().rev().map(|[_, high]| high).collect();
+    scan(&mut lower, &mut NoObserver);
+    scan(&mut upper, &mut NoObserver);
     upper.reverse();
     let margin = points.iter().fold(0.0_f64, |most, p| most.max(p.y.abs())) * 2f64.powi(-49);
     let heights = |strip: usize| {
@@ -116,48 +123,78 @@ fn height(chain: &[(Point, u32)], strips: &Strips, along: f64) -> Option<f64> {
 /// for the upper side. Then each side has the points on its own side of the line from the first to the last, and these.
 pub(super) fn sides(points: &[Point], which: &[u32]) -> (Named, Option<Named>) {
     let at = |i: u32| points[i as usize];
-    let by_place = |a: &u32, b: &u32| left_to_right(at(*a), at(*b));
+    let named = which.iter().map(|&i| (at(i), i));
+    let mut ends = which.first().map(|&i| [(at(i), i); 2]);
+    if let Some([first, last]) = &mut ends {
+        for (p, i) in named.clone() {
+            if left_to_right(p, first.0).is_lt() {
+                *first = (p, i);
+            } else if left_to_right(p, last.0).is_gt() {
+                *last = (p, i);
+            }
+        }
+    }
     if which.len() >= FEW
-        && let Some(&first) = which.iter().min_by(|a, b| by_place(a, b))
-        && let Some(&last) = which.iter().rev().max_by(|a, b| by_place(a, b))
-        && by_place(&first, &last).is_lt()
+        && let Some(ends @ [(first, _), (last, _)]) = ends
+        && first != last
     {
-        let (mut lower, mut upper) = (Vec::new(), Vec::new());
-        for &i in which {
-            match orientation(at(first), at(last), at(i)) {
-                Ordering::Less => lower.push(i),
-                Ordering::Greater => upper.push(i),
+        // The ends are on both sides.
+        let (mut lower, mut upper) = (ends.to_vec(), ends.to_vec());
+        for (p, i) in named {
+            match orientation(first, last, p) {
+                Ordering::Less => lower.push((p, i)),
+                Ordering::Greater => upper.push((p, i)),
                 // Between the two, a point on the line is no corner; beside them there is none.
                 Ordering::Equal => {}
             }
         }
-        let ends = |side: Vec<u32>| {
-            let ends = [first, last].map(|i| (at(i), i));
-            let between = sorted(points, &side);
-            ends[..1].iter().copied().chain(between).chain(ends[1..].iter().copied()).collect()
-        };
-        return (ends(lower), Some(ends(upper)));
+        return (sorted(lower), Some(sorted(upper)));
     }
-    (sorted(points, which), None)
+    (sorted(named.collect()), None)
 }
 
-/// Some points with their numbers, from left to right, those above each other from bottom to top, of equal ones the first.
-/// They stand beside each other, so that a scan over them goes straight through memory. Expected O(n) when they are
-/// spread evenly, O(n log n) always.
-fn sorted(points: &[Point], which: &[u32]) -> Named {
-    let strips = if which.len() < FEW { None } else { Strips::new(points, which, which.len() / 4) };
-    let named = which.iter().map(|&i| (points[i as usize], i));
-    let mut sorted = Vec::with_capacity(which.len());
-    let mut take = |together: &mut [(Point, u32)]| {
-        together.sort_unstable_by(|a, b| left_to_right(a.0, b.0).then(a.1.cmp(&b.1)));
-        sorted.extend(together.chunk_by(|a, b| a.0 == b.0).map(|equal| equal[0]));
-    };
-    match strips {
-        None => take(&mut named.collect::<Vec<_>>()),
-        Some(strips) => {
-            let mut groups = Groups::new(strips.count, named.map(|(p, i)| (strips.of(p), (p, i))));
-            (0..strips.count).for_each(|strip| take(groups.of_mut(strip)));
+/// Points from left to right, those above each other from bottom to top, of equal ones the first. They stand beside each
+/// other, so that a scan over them goes straight through memory. Expected O(n) when they are spread evenly,
+/// O(n log n) always.
+fn sorted(mut points: Named) -> Named {
+    match by_strips(&points, if points.len() < FEW { 0 } else { LEVELS }) {
+        None => {
+            points.sort_unstable_by(in_order);
+            points.dedup_by(|later, earlier| later.0 == earlier.0);
+        }
+        Some(mut groups) => {
+            points.clear();
+            (0..groups.count()).for_each(|strip| sort_into(groups.of_mut(strip), LEVELS - 1, &mut points));
         }
     }
-    sorted
+    points
+}
+
+/// Appends points in order: strip by strip, the points of each in the same way, down to so many levels of strips.
+fn sort_into(points: &mut [(Point, u32)], levels: usize, sorted: &mut Named) {
+    match by_strips(points, levels) {
+        None => {
+            points.sort_unstable_by(in_order);
+            sorted.extend(points.chunk_by(|a, b| a.0 == b.0).map(|equal| equal[0]));
+        }
+        Some(mut groups) => {
+            (0..groups.count()).for_each(|strip| sort_into(groups.of_mut(strip), levels - 1, sorted));
+        }
+    }
+}
+
+/// Points by strips, unless they are few, too near each other, or no level of strips is left. A strip of many points has
+/// room in a near cache, where its own strips can be filled out of order.
+fn by_strips(points: &[(Point, u32)], levels: usize) -> Option<Groups<(Point, u32)>> {
+    let count = if points.len() > NEAR { points.len() / CROWD } else { points.len() / 4 };
+    if levels == 0 || count < 4 {
+        return None;
+    }
+    let strips = Strips::new(points.iter().map(|&(p, _)| p), count)?;
+    Some(Groups::new(count, points.iter().map(|&(p, i)| (strips.of(p), (p, i)))))
+}
+
+#[inline]
+fn in_order(a: &(Point, u32), b: &(Point, u32)) -> Ordering {
+    left_to_right(a.0, b.0).then(a.1.cmp(&b.1))
 }

@@ -19,7 +19,6 @@ use crate::plane::{Point, Subdivision};
 const NONE: u32 = u32::MAX;
 
 /// The ends of the pieces of a diagram, numbered in the order in which they first come.
-#[derive(Default)]
 struct Ends {
     points: Vec<Point>,
     edges: Vec<[u32; 2]>,
@@ -37,10 +36,14 @@ impl Voronoi<'_> {
     /// The window cut into the cells, with the site of each face; none where rounding has changed more than places.
     /// O(n), and O(k log k) for k edges that leave the window.
     pub(super) fn known_cells(&self, window: &Window) -> Option<(Subdivision, FaceMap<Option<VertexId>>)> {
-        let mut ends = Ends::default();
+        // Nearly all corners and edges of the diagram lie in most windows.
+        let mut ends = Ends {
+            points: Vec::with_capacity(self.corners.len() + 4),
+            edges: Vec::with_capacity(self.edges.len() + 4),
+        };
         let mut number_of = vec![NONE; self.corners.len()];
         let mut at_border: Vec<(Point, u32)> = Vec::new();
-        let mut sites: Vec<[VertexId; 2]> = Vec::new();
+        let mut sites: Vec<[VertexId; 2]> = Vec::with_capacity(self.edges.len());
         for edge in &self.edges {
             let Some(piece) = self.piece(edge, window) else { continue };
             let ids = [0, 1].map(|i| match edge.ends[i] {

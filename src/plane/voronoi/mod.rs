@@ -130,13 +130,14 @@ impl Subdivision {
     pub fn voronoi(&self) -> Result<Voronoi<'_>, VoronoiError> {
         let on_circle = self.check_delaunay()?;
         let (corner_of, corners) = self.centres(&on_circle);
-        let edges = self.dcel.edges().filter_map(|dual| {
+        let mut edges = Vec::with_capacity(self.dcel.edge_count());
+        for dual in self.dcel.edges() {
             let [h, t] = dual.half_edges();
-            let ends = [t, h].map(|h| corner_of[self.dcel.face(h)]);
-            let sites = [h, t].map(|h| self.dcel.origin(h));
-            (ends[0] != ends[1] || ends[0].is_none()).then_some(VoronoiEdge { dual, sites, ends })
-        });
-        let edges = edges.collect();
+            let ends = [corner_of[self.dcel.face(t)], corner_of[self.dcel.face(h)]];
+            if ends[0] != ends[1] || ends[0].is_none() {
+                edges.push(VoronoiEdge { dual, sites: [self.dcel.origin(h), self.dcel.origin(t)], ends });
+            }
+        }
         Ok(Voronoi { delaunay: self, corners, corner_of, edges })
     }
 
@@ -146,8 +147,9 @@ impl Subdivision {
         let first = self.dcel.vertices().next().ok_or(VoronoiError::NoSite)?;
         let single = self.dcel.vertex_count() == 1;
         if let Some(face) = self.dcel.faces().skip(1).find(|&f| {
-            let sides = self.dcel.incident_half_edges(f).take(4).count();
-            sides != 3 || !self.inner_components(f).is_empty()
+            let around = |h: HalfEdgeId| self.dcel.next(self.dcel.next(self.dcel.next(h)));
+            self.dcel.half_edge(f).is_none_or(|h| around(h) != h || self.dcel.next(h) == h)
+                || !self.inner_components(f).is_empty()
         }) {
             return Err(VoronoiError::NotTriangle { face });
         }
@@ -182,14 +184,15 @@ impl Subdivision {
     /// The corners a, b, c, d of the triangles at an edge a-b, with c on its left; none on the outline.
     fn quadrilateral(&self, e: EdgeId) -> Option<[Point; 4]> {
         let [h, t] = e.half_edges();
-        let inside = [h, t].iter().all(|&h| self.dcel.face(h) != self.outer_face());
-        inside.then(|| [h, t, self.dcel.prev(h), self.dcel.prev(t)].map(|h| self.points[self.dcel.origin(h)]))
+        let is_inside = |h: HalfEdgeId| self.dcel.face(h) != self.outer_face();
+        let from = |h: HalfEdgeId| self.points[self.dcel.origin(h)];
+        (is_inside(h) && is_inside(t)).then(|| [from(h), from(t), from(self.dcel.prev(h)), from(self.dcel.prev(t))])
     }
 
     /// The corner of each triangle, and the places of the corners: one for all triangles on the same circle. O(n).
     fn centres(&self, on_circle: &EdgeMap<bool>) -> (FaceMap<Option<u32>>, Vec<Point>) {
         let mut corner_of: FaceMap<Option<u32>> = FaceMap::filled(self.dcel.face_bound(), None);
-        let mut corners = Vec::new();
+        let mut corners = Vec::with_capacity(self.dcel.face_count());
         let mut waiting = Vec::new();
         for first in self.dcel.faces().skip(1) {
             if corner_of[first].is_some() {
