@@ -27,9 +27,25 @@ fn coord(p: [f64; 3]) -> Coord3D<f64> {
 #[must_use]
 #[inline]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Ordering {
-    // robust counts downwards.
-    0.0_f64.partial_cmp(&robust::orient3d(coord(a), coord(b), coord(c), coord(d))).unwrap_or(Ordering::Equal)
+    let from_d = |p: [f64; 3]| [p[0] - d[0], p[1] - d[1], p[2] - d[2]];
+    let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (from_d(a), from_d(b), from_d(c));
+    let ([bc, cb], [ca, ac], [ab, ba]) = ([bx * cy, cx * by], [cx * ay, ax * cy], [ax * by, bx * ay]);
+    // Positive below the plane.
+    let determinant = az * (bc - cb) + bz * (ca - ac) + cz * (ab - ba);
+    let size = (bc.abs() + cb.abs()) * az.abs() + (ca.abs() + ac.abs()) * bz.abs() + (ab.abs() + ba.abs()) * cz.abs();
+    let doubt = ROUNDING * size;
+    if determinant > doubt {
+        Ordering::Less
+    } else if determinant < -doubt {
+        Ordering::Greater
+    } else {
+        let determinant = robust::orient3d(coord(a), coord(b), coord(c), coord(d));
+        0.0_f64.partial_cmp(&determinant).unwrap_or(Ordering::Equal)
+    }
 }
+
+/// How much of the sum of the sizes of its products rounding may change the determinant: (7 + 56 e) e, e = 2^-53.
+const ROUNDING: f64 = 7.771_561_172_376_103e-16;
 
 /// Whether a, b, c lie on one line. Exact: they do if all three shadows do.
 #[must_use]

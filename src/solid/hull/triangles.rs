@@ -81,8 +81,9 @@ impl<'a> Triangles<'a> {
     /// Whether `p` lies above triangle `t`.
     #[inline]
     fn sees(&self, p: u32, t: u32) -> bool {
-        let [a, b, c] = self.triangles[t as usize].corners.map(|i| self.points[i as usize]);
-        orient3d(a, b, c, self.points[p as usize]) == Ordering::Greater
+        let at = |i: u32| self.points[i as usize];
+        let [a, b, c] = self.triangles[t as usize].corners;
+        orient3d(at(a), at(b), at(c), at(p)) == Ordering::Greater
     }
 
     /// Asks whether `p` sees `t`, once in each step.

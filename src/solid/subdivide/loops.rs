@@ -97,8 +97,8 @@ fn points(coarse: &Coarse<'_>) -> Vec<Point> {
             *point = if coarse.is_sharp(a) {
                 weighted([(0.5, end(a)), (0.5, end(b))])
             } else {
-                let tips = [a, b].map(|h| end(d.prev(h)));
-                weighted([(0.375, end(a)), (0.375, end(b)), (0.125, tips[0]), (0.125, tips[1])])
+                let tip = |h| end(d.prev(h));
+                weighted([(0.375, end(a)), (0.375, end(b)), (0.125, tip(a)), (0.125, tip(b))])
             };
         }
     });
