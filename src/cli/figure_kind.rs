@@ -21,7 +21,8 @@ pub(crate) struct Kind {
     tables: bool,
     /// The dual graph over the structure: a point in each face, a line across each edge
     ///
-    /// Time and size grow with the square of the edges of one face, if it is as winding as a spiral.
+    /// Time grows with the square of the edges of one face, if it is as winding as a spiral or a comb;
+    /// so does the size, up to a limit.
     #[arg(long, group = "kind")]
     pub(crate) dual: bool,
     /// A part of the plane enlarged below the picture; `auto`: the surroundings of the shortest edge

@@ -25,7 +25,8 @@ use std::path::{Path, PathBuf};
 ///
 /// What crosses is decided exactly; crossings become vertices at the nearest doubles, and a note says
 /// which of them moved. Lines too close to settle so are rounded to a grid, and a note says what
-/// moved: no input is refused for being close. Areas are exact, rounded once.
+/// moved: no input is refused for being close. Areas are those of the answer, with its rounded
+/// corners: exact, rounded once.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:

@@ -25,6 +25,7 @@ use super::marks::{BLOCKED, CLOSED, FaceRecord, ID, MOST, NONE, PEELED, SideReco
 use super::merged::Merged;
 use super::records::FaceTable;
 use super::slivers::Slivers;
+use crate::geometry::expansion::Expansion;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId, must_be_below};
 use crate::plane::cycle::turns_left_or_runs_straight;
 use crate::plane::{Point, Subdivision};
@@ -299,6 +300,31 @@ impl NavMesh {
     /// The corners of `f`, counter-clockwise; none if it is no face of the mesh.
     pub fn corners(&self, f: FaceId) -> impl ExactSizeIterator<Item = VertexId> + DoubleEndedIterator + Clone + '_ {
         self.sides_of(f).iter().map(|side| VertexId::new(side.origin & ID))
+    }
+
+    /// The area of some faces together, blocked or not: exact, rounded once, however far from the origin they lie.
+    /// O(corners).
+    ///
+    /// ```
+    /// use dcel_kit::{navmesh::NavMesh, plane::Subdivision};
+    /// let corners = [(1e9, 1e9), (1e9 + 1., 1e9), (1e9 + 1., 1e9 + 1.), (1e9, 1e9 + 1.)].map(Into::into);
+    /// let square = Subdivision::from_graph(&corners, &[[0, 1], [1, 2], [2, 3], [3, 0]])?;
+    /// let mesh = NavMesh::new(&square)?;
+    /// assert_eq!(mesh.area(mesh.faces()), 1.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn area(&self, faces: impl IntoIterator<Item = FaceId>) -> f64 {
+        let mut twice = Expansion::default();
+        for f in faces {
+            let corners = self.corners(f).map(|v| self.point(v));
+            let next = corners.clone().cycle().skip(1);
+            for (p, q) in corners.zip(next) {
+                twice.add_product(p.x, q.y);
+                twice.add_product(-p.y, q.x);
+            }
+        }
+        0.5 * twice.rounded()
     }
 
     /// The sides of `f`, counter-clockwise; none if it is no face of the mesh.

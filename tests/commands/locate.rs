@@ -154,4 +154,9 @@ fn areas_far_from_the_origin_keep_their_digits() {
     assert_eq!(report["region"]["area"].as_f64(), Some(side));
     let coarse = folder.dcel("overlay h1.json h1.json --operation union --grid 0.25 --json").json();
     assert_eq!((&coarse["grid"], &coarse["region"]["area"]), (&json!(0.25), &json!(0.0)));
+    let floor = folder.dcel("navmesh info h1.json --json").json();
+    assert_eq!(
+        [&floor["area"], &floor["walkable_area"], &floor["blocked_area"]],
+        [&json!(side), &json!(side), &json!(0.0)]
+    );
 }

@@ -7,6 +7,7 @@ mod delaunay;
 mod errors;
 mod figure_options;
 mod files;
+mod growth;
 mod locate;
 mod manners;
 mod memory;

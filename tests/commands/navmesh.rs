@@ -923,3 +923,32 @@ fn links_lead_to_and_from_all_sides_of_a_double_corner() {
         );
     }
 }
+
+/// What overlaps is cut apart on request, in files with numbered corners, too.
+#[test]
+fn faces_that_overlap_are_told_what_mends_them() {
+    let folder = Folder::new();
+    let two = |x: f64, y: f64, w: f64, h: f64| {
+        format!("v {x} {y} 0\nv {} {y} 0\nv {} {} 0\nv {x} {} 0\n", x + w, x + w, y + h, y + h)
+    };
+    folder.write("plus.obj", &format!("{}{}f 1 2 3 4\nf 5 6 7 8\n", two(0.0, 2.0, 6.0, 2.0), two(2.0, 0.0, 2.0, 6.0)));
+    let told = folder.dcel("navmesh info plus.obj");
+    assert_eq!(told.code, Some(1), "{told:?}");
+    assert!(told.err.contains("help: --mend cuts the polygons where they meet"), "{told:?}");
+    assert_eq!(folder.dcel("navmesh info plus.obj --mend --json").json()["area"], 20.0);
+}
+
+/// All commands name the same place of two vertices that nearly meet: the line of the later one.
+#[test]
+fn vertices_that_nearly_meet_have_one_place() {
+    let folder = Folder::new();
+    let left = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    let right = "v 1.000001 0 0\nv 2 0 0\nv 2 1 0\nv 1.000001 1 0\n";
+    folder.write("nw.obj", &format!("{left}{right}f 1 2 3 4\nf 5 6 7 8\n"));
+    let place = "nw.obj:5:";
+    assert!(folder.dcel("navmesh info nw.obj").out.contains(place));
+    for call in ["navmesh locate nw.obj 0.5 0.5", "navmesh path nw.obj 0.1 0.1 0.9 0.9"] {
+        let told = folder.dcel(call);
+        assert!(told.err.contains(place), "{call}: {told:?}");
+    }
+}

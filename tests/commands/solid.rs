@@ -30,6 +30,8 @@ fn a_torus_too_narrow_for_a_list_of_corners_is_refused() {
     }
     folder.dcel("solid make torus 3 3 -o t.off").fine();
     assert_eq!(folder.dcel("solid info t.off --json").json()["pieces"][0]["genus"], 1);
+    let told = folder.dcel("solid info t.off").out;
+    assert!(told.contains("= 2 - 2 x 1 handle - 0 borders"), "{told}");
 }
 
 #[test]

@@ -59,6 +59,10 @@ fn a_folder_is_made_once_and_holds_no_solution() {
         assert!(lab.join("figures").join(figure).is_file(), "{figure}");
     }
     shell.dcel("lab start 04 lab").fails(2, "is not empty", "does not exist yet");
+    // The folders on the way are made, and go again where the lab cannot be put.
+    shell.dcel("lab start 04 labs/of/mine").fine();
+    assert!(shell.path("labs/of/mine/README.md").exists());
+    shell.dcel("lab start 04 lab/README.md/of/mine").fails(3, "cannot be written", "");
     shell.dcel("lab start 04 lab/README.md").fails(2, "README.md", "does not exist yet");
     shell.dcel("lab check .").fails(2, "no lab is there", "dcel lab start");
 }

@@ -270,6 +270,15 @@ fn overlays_of_nearly_equal_maps_settle_with_labels_that_agree() {
         assert_eq!(both.unsettled, [], "{context}");
         assert!(both.farthest < 2e-15, "{context}: {}", both.farthest);
         on_grid += usize::from(both.grid.is_some());
+        let given = a.vertices().map(|v| (a.point(v), both.vertices_of_a[v]));
+        let given = given.chain(b.vertices().map(|v| (b.point(v), both.vertices_of_b[v])));
+        for (p, v) in given {
+            let v = v.expect("every vertex is somewhere");
+            let (q, told) = (both.subdivision.point(v), both.displaced.iter().find(|moved| moved.0 == v));
+            let by = (q.x - p.x).hypot(q.y - p.y);
+            let told = told.map_or(0.0, |moved| moved.1);
+            assert!(by <= told && told <= both.farthest, "{context}: {v} moved by {by:e}, not {told:e}");
+        }
         several += both.subdivision.edges().filter(|&e| both.edges_of_a(e).len() > 1).count();
         let coarse = a.overlay_on_grid(&b, Some(0.01)).unwrap();
         assert_legal(&coarse.subdivision, &context);

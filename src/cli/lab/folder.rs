@@ -5,12 +5,23 @@ use super::super::input::text_of;
 use super::super::save::put_folder;
 use dcel_lab::{Kit, LabFiles, Packed, student_files, vendored};
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Makes a folder with these files. One that exists must be empty: nothing is ever written over. The folder is there
-/// when it is complete, and not before.
+/// Makes a folder with these files, and the folders that lead there. One that exists must be empty: nothing is ever written
+/// over. The folder is there when it is complete, and not before.
 pub(super) fn make(dir: &Path, files: &BTreeMap<String, Packed>) -> Result<(), Failure> {
-    put_folder(dir, files.iter().map(|(path, file)| (path.as_str(), file.bytes.as_slice())))
+    let whole = std::path::absolute(dir).map_err(|error| Failure::writing(dir.display(), &error))?;
+    let on_the_way: Vec<&Path> = whole.ancestors().skip(1).take_while(|folder| !folder.exists()).collect();
+    if let Some(parent) = on_the_way.first() {
+        fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))?;
+    }
+    let made = put_folder(dir, files.iter().map(|(path, file)| (path.as_str(), file.bytes.as_slice())));
+    if made.is_err() {
+        // Those that are not empty stay, and so do those above them.
+        on_the_way.into_iter().take_while(|folder| fs::remove_dir(folder).is_ok()).for_each(drop);
+    }
+    made
 }
 
 /// The files of a student's folder; with `vendor` all crates that it needs, too.

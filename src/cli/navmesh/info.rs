@@ -144,13 +144,7 @@ impl Info {
         let mesh = &map.mesh;
         let mut components: Vec<usize> = mesh.components().map(|(_, faces)| faces).collect();
         components.sort_unstable_by(|a, b| b.cmp(a));
-        let cross = |f| {
-            let corners: Vec<_> = mesh.corners(f).map(|v| mesh.point(v)).collect();
-            let next = corners.iter().cycle().skip(1);
-            corners.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
-        };
-        let area =
-            |blocked| 0.5 * mesh.faces().filter(|&f| mesh.is_blocked(f) == blocked).map(cross).sum::<f64>() + 0.0;
+        let area = |blocked| mesh.area(mesh.faces().filter(|&f| mesh.is_blocked(f) == blocked));
         Self {
             source: map.source.clone(),
             format: map.format.name(),
@@ -164,7 +158,7 @@ impl Info {
             dead_ends: mesh.faces().filter(|&f| mesh.is_dead_end(f)).count(),
             junctions: mesh.junctions().len(),
             reduced_corridors: mesh.reduced_corridors().len(),
-            area: 0.5 * mesh.faces().map(cross).sum::<f64>(),
+            area: mesh.area(mesh.faces()),
             blocked_faces: mesh.faces().filter(|&f| mesh.is_blocked(f)).count(),
             blocked_area: area(true),
             walkable_area: area(false),

@@ -377,10 +377,7 @@ impl MapArgs {
         {
             let near = faults.iter().filter(|fault| fault.kind() == "nearly-welded");
             let frame = self.frame(read.format);
-            let told = |fault| match Told::of(fault, soup, frame) {
-                told if soup.any_direction => told,
-                told => Told { place: near_place(soup, fault), ..told },
-            };
+            let told = |fault| Told::of(fault, soup, frame);
             warn_of(&near.map(|fault| (told(fault), fault)).collect::<Vec<_>>());
             // The same advice as dcel navmesh info has for it.
             if let Some(help) = faults.iter().filter(|fault| is_unwelded(fault)).find_map(|f| told(f).help) {

@@ -104,8 +104,12 @@ impl Told {
     pub(super) fn of(fault: &MeshFault, soup: &PolygonSoup, frame: Frame) -> Self {
         let places = &soup.places;
         let outline = |f: u32| places.outline(f as usize, soup.faces.cycle_range(f as usize).start);
-        let place = fault.faces().first().map(|&f| outline(f));
-        let place = place.or_else(|| fault.vertices().first().map(|&v| places.vertex(v as usize)));
+        let vertex_at = |v: &u32| places.vertex(*v as usize);
+        // What nearly meets is told where its later vertex stands, if vertices have lines of their own.
+        let place = match fault.kind() {
+            "nearly-welded" if !soup.any_direction => fault.vertices().last().map(vertex_at),
+            _ => fault.faces().first().map(|&f| outline(f)).or_else(|| fault.vertices().first().map(vertex_at)),
+        };
         // Formats that give coordinates only have no numbers for their vertices.
         let face = |f: u32| places.face_path(f as usize).map(str::to_owned);
         let vertex = |v: u32| {
@@ -140,10 +144,8 @@ fn help(fault: &MeshFault, coordinates_only: bool) -> Option<&'static str> {
             Some("--orient turns faces round that run clockwise; if y points down in the file, say --y-down")
         }
         "t-junction" | "same-place" => Some("--weld 0 joins vertices at one place and puts corners into sides"),
-        "overlap" | "winding" if coordinates_only => Some("--mend cuts the polygons where they meet"),
-        "overlap" => {
-            Some("no option takes faces of numbered corners apart that overlap: cut one of them, or leave it out")
-        }
+        "overlap" => Some("--mend cuts the polygons where they meet"),
+        "winding" if coordinates_only => Some("--mend cuts the polygons where they meet"),
         _ => None,
     }
 }

@@ -99,7 +99,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<17}{value}");
         for part in &answer.pieces {
             let (counts, euler) = (format!("{} - {} + {}", part.vertices, part.edges, part.faces), part.euler);
-            let handles = format!("2 - 2 x {} handles - {} borders", part.genus, part.borders);
+            let (genus, borders) = (part.genus, counted(part.borders, "border", "borders"));
+            let handles = format!("2 - 2 x {genus} {} - {borders}", if genus == 1 { "handle" } else { "handles" });
             line("piece", format!("of {}: {counts} = {euler} = {handles}", part.first_vertex))?;
         }
         if let Some(angles) = &dihedral {

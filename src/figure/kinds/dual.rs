@@ -26,6 +26,9 @@ pub enum DualFigureError {
     /// The faces have no inside to put a point into.
     #[error(transparent)]
     Triangulate(#[from] TriangulateError),
+    /// The lines would have to bend too often.
+    #[error("the lines of the dual graph bend more than {MOST_BENDS} times in winding faces: triangulate these first")]
+    TooWinding,
     /// The structure, or the sketch over it, cannot be drawn.
     #[error(transparent)]
     Sketch(#[from] SketchError),
@@ -40,11 +43,15 @@ impl From<FigureError> for DualFigureError {
 /// Size of the picture in which places are looked for, in px.
 const SIZE: f64 = 1000.0;
 
+/// A drawing with more bends would take hundreds of megabytes.
+const MOST_BENDS: usize = 1 << 23;
+
 /// The dual graph of a subdivision drawn over it. Edges to the outer face end in the open, dashed.
 ///
 /// Every point lies strictly inside its face. Cost: O(n log n) for the triangles of all faces, a search for the place of
 /// each point, and for each edge the triangles between it and the place of its face: n² in all for a face whose n edges
-/// lie far from there, as in a spiral. So large is the drawing, too, where lines have to bend.
+/// lie far from there, as in a spiral, a star or a comb. So large is the drawing, too, where lines have to bend: more than
+/// 2^23 bends are refused.
 ///
 /// # Errors
 /// [`DualFigureError`].
@@ -60,11 +67,16 @@ const SIZE: f64 = 1000.0;
 pub fn dual(s: &Subdivision, options: &FigureOptions) -> Result<Figure, DualFigureError> {
     let rooms = Rooms::new(s)?;
     let mut sketch = Sketch::new();
+    let mut bends = 0;
     for e in s.edges() {
         let [h, t] = e.half_edges();
         let (mut way, other) = (rooms.way(h), rooms.way(t));
         way.push(rooms.middle(h));
         way.extend(other.into_iter().rev());
+        bends += way.len();
+        if bends > MOST_BENDS {
+            return Err(DualFigureError::TooWinding);
+        }
         let [f, g] = [h, t].map(|h| s.face(h));
         let outside = f == s.outer_face() || g == s.outer_face();
         let item = sketch.path(Role::Secondary, way);
