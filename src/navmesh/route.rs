@@ -46,6 +46,11 @@ impl PathAlgorithm {
             Self::Exact => "exact",
         }
     }
+
+    /// What is searched by where faces have costs: neither the fewest faces nor an exact path is known there.
+    pub(super) fn over_costs(self) -> Self {
+        if matches!(self, Self::Breadth | Self::Exact) { Self::Closest } else { self }
+    }
 }
 
 impl fmt::Display for PathAlgorithm {
@@ -150,4 +155,25 @@ pub enum RouteError {
         /// The radius of the agent.
         radius: f64,
     },
+}
+
+/// Of what is found for each pair of a start and a goal, by their numbers, the shortest; of equals the first. With it its
+/// pair. If there is nothing, why it is so for the first pair.
+pub(super) fn shortest_pair<R, E>(
+    [starts, goals]: [usize; 2],
+    mut find: impl FnMut([usize; 2]) -> Result<R, E>,
+    length: impl Fn(&R) -> f64,
+) -> Result<(R, [usize; 2]), E> {
+    assert!(starts > 0 && goals > 0, "a route has two ends");
+    let (mut best, mut first_error) = (None, None);
+    for pair in (0..starts).flat_map(|i| (0..goals).map(move |k| [i, k])) {
+        match find(pair) {
+            Ok(route) if best.as_ref().is_none_or(|(least, _)| length(&route) < length(least)) => {
+                best = Some((route, pair));
+            }
+            Ok(_) => {}
+            Err(error) => _ = first_error.get_or_insert(error),
+        }
+    }
+    best.ok_or_else(|| first_error.expect("there is a pair"))
 }
