@@ -115,7 +115,7 @@ pub struct Frame {
 
 impl Film {
     /// A film that begins with this structure.
-    pub fn new<V: PlanarView + ?Sized>(start: &V) -> Self {
+    pub fn new(start: &dyn PlanarView) -> Self {
         let mut film = Self::empty();
         film.states.push(snapshot(start));
         film
@@ -166,7 +166,7 @@ impl Film {
     }
 
     /// Appends a state with positions.
-    pub(super) fn add_planar<V: PlanarView + ?Sized>(&mut self, state: &V) {
+    pub(super) fn add_planar(&mut self, state: &dyn PlanarView) {
         self.states.push(snapshot(state));
     }
 
@@ -204,14 +204,7 @@ impl Film {
 
     /// Appends an edit: the call, a sentence for the frame before it (may be empty), elements to be marked, what
     /// was recorded, and the structure it led to.
-    pub fn edit<V: PlanarView + ?Sized>(
-        &mut self,
-        title: &str,
-        caption: &str,
-        marked: &[Element],
-        journal: &Journal,
-        after: &V,
-    ) {
+    pub fn edit(&mut self, title: &str, caption: &str, marked: &[Element], journal: &Journal, after: &dyn PlanarView) {
         self.add_shot(title, caption, marked, journal);
         self.add_planar(after);
     }
@@ -440,7 +433,7 @@ fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize;
 }
 
 /// A copy of all pointers and positions.
-pub(super) fn snapshot<V: PlanarView + ?Sized>(view: &V) -> Table {
+pub(super) fn snapshot(view: &dyn PlanarView) -> Table {
     let mut table = Table::from_view(view);
     for (i, row) in table.vertices.iter_mut().enumerate() {
         if let Some(row) = row {

@@ -94,11 +94,11 @@ impl SketchFilm {
     }
 
     /// Adds a frame with a sketch over a structure as it is now.
-    pub fn over<V: PlanarView + ?Sized>(
+    pub fn over(
         &mut self,
         heading: &str,
         text: &str,
-        view: &V,
+        view: &dyn PlanarView,
         backdrop: Backdrop,
         sketch: Sketch,
     ) -> &mut Self {

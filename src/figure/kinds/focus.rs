@@ -51,7 +51,7 @@ const ASIDE: f64 = 324.0;
 /// # Errors
 /// Those of [`pointers`](crate::figure::pointers), [`FigureError::NoHalfEdge`], and [`FigureError::NotDrawn`] if the face of
 /// `h` is not among those to be drawn.
-pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
+pub fn focus(view: &dyn PlanarView, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
     if !view.has_half_edge(h) {
         let bound = view.half_edge_bound();
         let count = (0..bound as u32).filter(|&h| view.has_half_edge(HalfEdgeId(h))).count();

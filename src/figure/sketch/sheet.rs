@@ -322,9 +322,9 @@ impl Sketch {
     ///
     /// # Errors
     /// [`SketchError`]: a coordinate of the sketch, or what [`structure`](crate::figure::structure()) refuses.
-    pub fn over<V: PlanarView + ?Sized>(
+    pub fn over(
         &self,
-        view: &V,
+        view: &dyn PlanarView,
         backdrop: Backdrop,
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
