@@ -1,9 +1,8 @@
 //! `dcel navmesh distances`: how far everything is from one place.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
 use super::super::output::{point as told, table};
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Snap, Wish};
 use super::extras::{CostArgs, LinkArgs};

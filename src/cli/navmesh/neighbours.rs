@@ -1,9 +1,8 @@
 //! `dcel navmesh neighbours`: what lies next to a face.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
 use super::super::output::table;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::reading::MapArgs;
 use super::tell::point;
 use dcel_kit::FaceId;

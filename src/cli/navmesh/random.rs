@@ -2,8 +2,7 @@
 
 use super::super::answer::fields;
 use super::super::choice::whole;
-use super::super::failure::Failure;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::reading::{Input, MapArgs};
 use super::space;
 use std::io::Write;

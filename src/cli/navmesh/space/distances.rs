@@ -1,9 +1,8 @@
 //! `dcel navmesh distances` on a floor whose heights differ.
 
 use super::super::super::answer::fields;
-use super::super::super::failure::Failure;
 use super::super::super::output::{point as told, table};
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::distances::Args;
 use super::super::drawing::{Canvas, save};
 use super::super::routes::{WHERE_FACES_TOUCH, from_each};

@@ -1,8 +1,7 @@
 //! `dcel navmesh info` on a floor whose heights differ.
 
 use super::super::super::answer::fields;
-use super::super::super::failure::Failure;
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::tell::Told;
 use super::Ground;

@@ -1,7 +1,6 @@
 //! `dcel navmesh random` on a floor whose heights differ.
 
-use super::super::super::failure::Failure;
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::random::nothing_walkable;
 use super::{Ground, Spot};
 use std::io::Write;
