@@ -53,7 +53,7 @@ pub fn inset(
 ) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.crop = None;
-    let view = &Part::of(view, &options)?;
+    let view: &dyn PlanarView = &Part::of(view, &options)?;
     let (picture, mut notes) = Picture::new(view, &options)?;
     let (fit, detail) = (picture.fit, picture.detail);
     let mut scene = picture.scene(Vec::new());

@@ -41,7 +41,7 @@ use crate::plane::PlanarView;
 /// # Ok::<(), figure::FigureError>(())
 /// ```
 pub fn pointers(view: &dyn PlanarView, families: &[Pointers], options: &FigureOptions) -> Result<Figure, FigureError> {
-    let view = &Part::of(view, options)?;
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     let mut options = options.checked();
     options.usual_width = PANEL;
     options.widest = SHEET;
@@ -61,7 +61,7 @@ pub fn pointers(view: &dyn PlanarView, families: &[Pointers], options: &FigureOp
     for &family in &families {
         let look = if families.len() == 1 { Look::default() } else { Look::instance(family.class()) };
         let look = look.rest(Mark::Dim);
-        let arrows = plate.pointers(view, &Plate::<Part<dyn PlanarView>>::family(view, family), &look, 0.5, &mut notes);
+        let arrows = plate.pointers(view, &Plate::<dyn PlanarView>::family(view, family), &look, 0.5, &mut notes);
         panels.push(Panel {
             heading: family.name().to_owned(),
             text: family.sentence().to_owned(),

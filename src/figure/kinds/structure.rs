@@ -29,7 +29,7 @@ use crate::plane::PlanarView;
 /// error: it shows its outer face.
 pub fn structure(view: &dyn PlanarView, options: &FigureOptions) -> Result<Figure, FigureError> {
     let options = &options.checked();
-    let view = &Part::of(view, options)?;
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     let (picture, mut notes) = Picture::new(view, options)?;
     let detail = picture.detail;
     if detail >= Detail::Edges {

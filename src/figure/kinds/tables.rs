@@ -56,7 +56,7 @@ pub fn tables(
     highlight: Option<Element>,
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
-    let view = &Part::of(view, options)?;
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     let mut options = options.checked();
     options.usual_width = 520.0;
     options.style.face_text = options.style.face_text.min(14.0);

@@ -328,7 +328,7 @@ impl Sketch {
         backdrop: Backdrop,
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
-        let view = &Part::of(view, options)?;
+        let view: &dyn PlanarView = &Part::of(view, options)?;
         check(self)?;
         let options = &options.checked();
         let survey = Picture::survey(view, options, extent(self))?;
