@@ -83,6 +83,42 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
+/// An enumeration whose values have a name each: the type, all values in their order, the name of each, and how a value
+/// is shown, if that is its name.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! named {
+    (
+        $(#[$meta:meta])* pub enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
+        $(#[$about_all:meta])* const ALL;
+        $(#[$about_name:meta])* fn $of:ident $(as $shown:ident)?;
+    ) => {
+        $(#[$meta])*
+        pub enum $type {
+            $($(#[$about])* $value,)+
+        }
+
+        impl $type {
+            $(#[$about_all])*
+            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
+
+            $(#[$about_name])*
+            #[must_use]
+            pub const fn $of(self) -> &'static str {
+                match self {
+                    $(Self::$value => $name,)+
+                }
+            }
+        }
+
+        $(impl ::std::fmt::$shown for $type {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                f.write_str(self.$of())
+            }
+        })?
+    };
+}
+
 #[cfg(feature = "compare")]
 pub mod compare;
 #[cfg(feature = "script")]
