@@ -124,8 +124,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         faces: field.faces_within(&map.mesh).map(|f| f.to_string()).collect::<Vec<_>>(),
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
     let count = answer.vertices.len();

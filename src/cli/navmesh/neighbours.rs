@@ -67,8 +67,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         sides,
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let open = answer.sides.iter().filter(|side| side.open).count();
     write!(out, "{f}: {} sides, {open} of them portals", answer.sides.len())?;

@@ -43,8 +43,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     if args.json {
         let found = places.map(|place| fields! { point: map.in_file(place.point), face: place.face.to_string() });
-        out.json(&found.collect::<Vec<_>>())?;
-        return Ok(Answer::Yes);
+        return out.json(&found.collect::<Vec<_>>());
     }
     for place in places {
         let [x, y] = map.in_file(place.point);

@@ -57,8 +57,7 @@ pub(in super::super) fn run(
         faces: surface.faces().filter(is_within).map(|f| f.to_string()).collect::<Vec<_>>(),
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
     let count = answer.vertices.len();

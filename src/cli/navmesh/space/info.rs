@@ -51,8 +51,7 @@ pub(in super::super) fn run(
         faults: ground.faults.iter().map(|(place, fault)| Told::at(place.clone(), fault)).collect::<Vec<_>>(),
     };
     if json {
-        out.json(&info)?;
-        return Ok(Answer::Yes);
+        return out.json(&info);
     }
     writeln!(out, "{}: {}, a surface to walk on", info.source, info.format)?;
     let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");

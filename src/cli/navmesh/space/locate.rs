@@ -32,8 +32,7 @@ pub(in super::super) fn run(
         });
     }
     if json {
-        out.json(&all)?;
-        return Ok(Answer::Yes);
+        return out.json(&all);
     }
     writeln!(out, "{}:", ground.source)?;
     for found in &all {

@@ -16,8 +16,7 @@ pub(in super::super) fn run(
         return Err(nothing_walkable(&ground.source));
     }
     if json {
-        out.json(&places.map(|place| ground.spot(&place)).collect::<Vec<Spot>>())?;
-        return Ok(Answer::Yes);
+        return out.json(&places.map(|place| ground.spot(&place)).collect::<Vec<Spot>>());
     }
     for place in places {
         let [x, y, z] = ground.in_file(place.point);

@@ -63,8 +63,7 @@ pub(in super::super) fn run(
         faces: cast.faces.iter().map(ToString::to_string).collect::<Vec<_>>(),
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let through = faces(answer.faces.len());
     let length = answer.length;
