@@ -151,8 +151,8 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
                 ..Group::default()
             }));
         }
-        notes.add_words("without room for an arrow", without.into_iter());
-        notes.add_words("leading to what is not drawn", outside.into_iter());
+        notes.add_words("without room for an arrow", &mut without.into_iter());
+        notes.add_words("leading to what is not drawn", &mut outside.into_iter());
         out
     }
 
