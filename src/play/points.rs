@@ -29,7 +29,7 @@ impl Layer {
 }
 
 /// Points, their triangulation, and the points before each change.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Points {
     points: Vec<Point>,
     delaunay: Subdivision,
@@ -41,13 +41,7 @@ pub(super) struct Points {
 impl Points {
     /// The points, all of different places.
     pub(super) fn new(points: Vec<Point>) -> Result<Self, String> {
-        let mut scene = Self {
-            points: Vec::new(),
-            delaunay: Subdivision::new(),
-            past: Vec::new(),
-            undone: Vec::new(),
-            layer: Layer::default(),
-        };
+        let mut scene = Self::default();
         scene.set(points)?;
         Ok(scene)
     }

@@ -117,7 +117,7 @@ impl Film {
     /// A film that begins with this structure.
     pub fn new(start: &dyn PlanarView) -> Self {
         let mut film = Self::empty();
-        film.states.push(snapshot(start));
+        film.states.push(Table::from_planar_view(start));
         film
     }
 
@@ -167,7 +167,7 @@ impl Film {
 
     /// Appends a state with positions.
     pub(super) fn add_planar(&mut self, state: &dyn PlanarView) {
-        self.states.push(snapshot(state));
+        self.states.push(Table::from_planar_view(state));
     }
 
     /// Appends a state without coordinates, laid out like the one before as far as it can be.
@@ -430,17 +430,6 @@ fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize;
         before: table.clone(),
         ..Frame::default()
     }
-}
-
-/// A copy of all pointers and positions.
-pub(super) fn snapshot(view: &dyn PlanarView) -> Table {
-    let mut table = Table::from_view(view);
-    for (i, row) in table.vertices.iter_mut().enumerate() {
-        if let Some(row) = row {
-            row.position = view.position(VertexId::new(i as u32)).map(|p| [p.x, p.y]);
-        }
-    }
-    table
 }
 
 fn place(table: &mut Table, v: VertexId, from: &Table) {
