@@ -83,28 +83,39 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
-/// An enumeration whose values have a name each: the type, all values in their order, the name of each, and how a value
-/// is shown, if that is its name.
+/// An enumeration whose values have a name each: the type, the name of each, how a value is shown, if that is its name, and
+/// all values in their order, if somebody needs them.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! named {
     (
-        $(#[$meta:meta])* pub enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
-        $(#[$about_all:meta])* const ALL;
+        $(#[$meta:meta])* $vis:vis enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
         $(#[$about_name:meta])* fn $of:ident $(as $shown:ident)?;
+        $(#[$about_all:meta])* const ALL;
     ) => {
-        $(#[$meta])*
-        pub enum $type {
-            $($(#[$about])* $value,)+
+        $crate::named! {
+            $(#[$meta])* $vis enum $type { $($(#[$about])* $value = $name,)+ }
+            $(#[$about_name])* fn $of $(as $shown)?;
         }
 
         impl $type {
             $(#[$about_all])*
-            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
+            $vis const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
+        }
+    };
+    (
+        $(#[$meta:meta])* $vis:vis enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
+        $(#[$about_name:meta])* fn $of:ident $(as $shown:ident)?;
+    ) => {
+        $(#[$meta])*
+        $vis enum $type {
+            $($(#[$about])* $value,)+
+        }
 
+        impl $type {
             $(#[$about_name])*
             #[must_use]
-            pub const fn $of(self) -> &'static str {
+            $vis const fn $of(self) -> &'static str {
                 match self {
                     $(Self::$value => $name,)+
                 }

@@ -62,10 +62,10 @@ crate::named! {
         Tables = "tables",
     }
 
-    /// All formats, in the order in which they are listed to people.
-    const ALL;
     /// The word that names the format on the command line.
     fn name as Display;
+    /// All formats, in the order in which they are listed to people.
+    const ALL;
 }
 
 /// Ends of file names without the dot, and one line for people, in the order of [`Format::ALL`].

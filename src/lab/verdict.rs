@@ -34,10 +34,10 @@ dcel_kit::named! {
         GraderFault = "grader fault",
     }
 
-    /// All verdicts, in their order.
-    const ALL;
     /// The verdict in words, as reports print it.
     fn word as Display;
+    /// All verdicts, in their order.
+    const ALL;
 }
 
 impl Verdict {

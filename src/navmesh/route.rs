@@ -30,10 +30,10 @@ crate::named! {
         Exact = "exact",
     }
 
-    /// All of them, from the lowest to the highest.
-    const ALL;
     /// One word for it.
     fn name as Display;
+    /// All of them, from the lowest to the highest.
+    const ALL;
 }
 
 impl PathAlgorithm {

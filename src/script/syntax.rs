@@ -131,10 +131,10 @@ crate::named! {
         HalfEdge = "half_edge",
     }
 
-    /// All links.
-    const ALL;
     /// The word for it.
     fn word;
+    /// All links.
+    const ALL;
 }
 
 impl Link {

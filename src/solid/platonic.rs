@@ -31,10 +31,10 @@ crate::named! {
         Icosahedron = "icosahedron",
     }
 
-    /// All five, by their number of faces.
-    const ALL;
     /// Its name in small letters.
     fn name as Display;
+    /// All five, by their number of faces.
+    const ALL;
 }
 
 impl Platonic {

@@ -40,10 +40,10 @@ crate::named! {
         Dimmed = "r-dimmed",
     }
 
-    /// All of them.
-    const ALL;
     /// The class of everything in this role.
     fn class;
+    /// All of them.
+    const ALL;
 }
 
 impl Role {

@@ -32,10 +32,10 @@ crate::named! {
         Face = "face-of",
     }
 
-    /// All of them, in the order of a lesson.
-    const ALL;
     /// The class of their arrows, and what ids of arrows end with.
     fn class;
+    /// All of them, in the order of a lesson.
+    const ALL;
 }
 
 impl Pointers {

@@ -59,10 +59,10 @@ dcel_kit::named! {
         Statistics = "statistics",
     }
 
-    /// All formats.
-    const ALL;
     /// Its name on the command line.
     fn name as Display;
+    /// All formats.
+    const ALL;
 }
 
 impl Format {

@@ -27,10 +27,10 @@ crate::named! {
         SymmetricDifference = "xor",
     }
 
-    /// All four.
-    const ALL;
     /// `union`, `intersection`, `difference`, `xor`.
     fn name as Display;
+    /// All four.
+    const ALL;
 }
 
 /// What becomes of edges with the region on both sides.
