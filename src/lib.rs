@@ -83,6 +83,53 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
+/// An enumeration whose values have a name each: the type, the name of each, how a value is shown, if that is its name, and
+/// all values in their order, if somebody needs them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! named {
+    (
+        $(#[$meta:meta])* $vis:vis enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
+        $(#[$about_name:meta])* fn $of:ident $(as $shown:ident)?;
+        $(#[$about_all:meta])* const ALL;
+    ) => {
+        $crate::named! {
+            $(#[$meta])* $vis enum $type { $($(#[$about])* $value = $name,)+ }
+            $(#[$about_name])* fn $of $(as $shown)?;
+        }
+
+        impl $type {
+            $(#[$about_all])*
+            $vis const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
+        }
+    };
+    (
+        $(#[$meta:meta])* $vis:vis enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
+        $(#[$about_name:meta])* fn $of:ident $(as $shown:ident)?;
+    ) => {
+        $(#[$meta])*
+        $vis enum $type {
+            $($(#[$about])* $value,)+
+        }
+
+        impl $type {
+            $(#[$about_name])*
+            #[must_use]
+            $vis const fn $of(self) -> &'static str {
+                match self {
+                    $(Self::$value => $name,)+
+                }
+            }
+        }
+
+        $(impl ::std::fmt::$shown for $type {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                f.write_str(self.$of())
+            }
+        })?
+    };
+}
+
 #[cfg(feature = "compare")]
 pub mod compare;
 #[cfg(feature = "script")]

@@ -2,9 +2,9 @@
 
 use super::answer::fields;
 use super::choice::{number, pair};
-use super::failure::{Failure, say};
+use super::failure::say;
 use super::results::{Moved, Results};
-use super::{Answer, Output};
+use super::{Answer, Failure, Output};
 use dcel_kit::figure;
 use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,

@@ -1,11 +1,11 @@
 //! `dcel delaunay`: of points, of a graph whose edges stay, or of a triangulation by flips.
 
 use super::answer::fields;
-use super::failure::{Failure, say};
+use super::failure::say;
 use super::input::InputOptions;
 use super::results::Results;
 use super::subject::Kind;
-use super::{Answer, Output};
+use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{Model, counted, source_name};
 use dcel_kit::plane::Subdivision;

@@ -183,7 +183,7 @@ impl Failure {
         let (kind, exit_code) = (self.kind.name(), self.kind.exit_code());
         // `dcel --help` and the README tell of it.
         let error = fields! { kind, message, place, notes, help, exit_code };
-        let _ = out.json(&fields! { error }).map(|()| out.flush());
+        let _ = out.json(&fields! { error }).map(|_| out.flush());
     }
 
     pub(crate) fn exit_code(&self) -> ExitCode {

@@ -64,11 +64,7 @@ fn element(text: &str) -> Result<Element, String> {
 }
 
 impl Kind {
-    pub(crate) fn draw<V: PlanarView + ?Sized>(
-        &self,
-        view: &V,
-        options: &FigureOptions,
-    ) -> Result<Figure, FigureError> {
+    pub(crate) fn draw(&self, view: &dyn PlanarView, options: &FigureOptions) -> Result<Figure, FigureError> {
         if let Some(h) = self.focus {
             return figure::focus(view, h, options);
         }

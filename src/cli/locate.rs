@@ -2,14 +2,14 @@
 
 use super::answer::{fields, tell};
 use super::choice::coordinate;
-use super::failure::{Failure, say};
+use super::failure::say;
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
 use super::output::point;
 use super::picture::Target;
 use super::save::Files;
 use super::subject::Subject;
-use super::{Answer, Output};
+use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};

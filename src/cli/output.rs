@@ -1,6 +1,7 @@
 //! The answer on standard output.
 
 use super::waiting::aside;
+use super::{Answer, Failure};
 use dcel_kit::io::{Number, counted};
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
@@ -13,10 +14,11 @@ impl Output {
         Self(BufWriter::with_capacity(1 << 16, io::stdout().lock()))
     }
 
-    /// Writes a value as JSON with indentation.
-    pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<(), serde_json::Error> {
+    /// Writes a value as JSON with indentation: most often all that a command answers.
+    pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<Answer, Failure> {
         serde_json::to_writer_pretty(&mut *self, value)?;
-        self.write_all(b"\n").map_err(serde_json::Error::io)
+        self.write_all(b"\n")?;
+        Ok(Answer::Yes)
     }
 }
 

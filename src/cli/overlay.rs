@@ -2,14 +2,14 @@
 
 use super::answer::{fields, tell};
 use super::choice::number;
-use super::failure::{Failure, say};
+use super::failure::say;
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
 use super::picture::Target;
 use super::results::Moved;
 use super::save::{Files, InPlace};
 use super::subject::Subject;
-use super::{Answer, Output};
+use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts};

@@ -2,11 +2,10 @@
 
 use super::answer::fields;
 use super::choice::{Choice, one_of};
-use super::failure::Failure;
 use super::input::InputOptions;
 use super::results::Results;
 use super::subject::Kind;
-use super::{Answer, Output};
+use super::{Answer, Failure, Output};
 use dcel_kit::FaceId;
 use dcel_kit::figure;
 use dcel_kit::io::counted;

@@ -3,10 +3,10 @@
 use super::answer::fields;
 use super::choice::number;
 use super::delaunay::tell_repeated;
-use super::failure::{Failure, say};
+use super::failure::say;
 use super::input::InputOptions;
 use super::results::Results;
-use super::{Answer, Output};
+use super::{Answer, Failure, Output};
 use dcel_kit::figure;
 use dcel_kit::io::{Model, PointList, counted};
 use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, VoronoiError, Window};

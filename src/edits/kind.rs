@@ -2,17 +2,22 @@
 
 use crate::ids::Element;
 
-/// The kinds of elements.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Kind {
-    /// A vertex.
-    Vertex,
-    /// A half-edge.
-    HalfEdge,
-    /// An edge.
-    Edge,
-    /// A face.
-    Face,
+crate::named! {
+    /// The kinds of elements.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+    pub enum Kind {
+        /// A vertex.
+        Vertex = "a vertex",
+        /// A half-edge.
+        HalfEdge = "a half-edge",
+        /// An edge.
+        Edge = "an edge",
+        /// A face.
+        Face = "a face",
+    }
+
+    /// `a half-edge`
+    fn a;
 }
 
 impl Kind {
@@ -24,17 +29,6 @@ impl Kind {
             Element::HalfEdge(_) => Self::HalfEdge,
             Element::Edge(_) => Self::Edge,
             Element::Face(_) => Self::Face,
-        }
-    }
-
-    /// `a half-edge`
-    #[must_use]
-    pub const fn a(self) -> &'static str {
-        match self {
-            Self::Vertex => "a vertex",
-            Self::HalfEdge => "a half-edge",
-            Self::Edge => "an edge",
-            Self::Face => "a face",
         }
     }
 

@@ -12,57 +12,37 @@ use super::row::Row;
 use crate::ids::FaceId;
 use crate::plane::Affine;
 
-macro_rules! takes {
-    (vertex) => {
-        Takes::Element(Kind::Vertex)
-    };
-    (half_edge) => {
-        Takes::Element(Kind::HalfEdge)
-    };
-    (edge) => {
-        Takes::Element(Kind::Edge)
-    };
-    (face) => {
-        Takes::Element(Kind::Face)
-    };
-    (place) => {
-        Takes::Place
-    };
-    (number) => {
-        Takes::Number
-    };
-    (switch) => {
-        Takes::Switch
-    };
-    (map) => {
-        Takes::Map
-    };
-    (vertices) => {
-        Takes::Vertices
-    };
+/// What a parameter takes, by the word that reads it.
+#[allow(non_upper_case_globals)] // the words themselves
+mod takes {
+    use super::{Kind, Takes};
+
+    pub(super) const vertex: Takes = Takes::Element(Kind::Vertex);
+    pub(super) const half_edge: Takes = Takes::Element(Kind::HalfEdge);
+    pub(super) const edge: Takes = Takes::Element(Kind::Edge);
+    pub(super) const face: Takes = Takes::Element(Kind::Face);
+    pub(super) const place: Takes = Takes::Place;
+    pub(super) const number: Takes = Takes::Number;
+    pub(super) const switch: Takes = Takes::Switch;
+    pub(super) const map: Takes = Takes::Map;
+    pub(super) const vertices: Takes = Takes::Vertices;
 }
 
-macro_rules! gives {
-    (vertex) => {
-        Given::New(Kind::Vertex)
-    };
-    (half_edge) => {
-        Given::New(Kind::HalfEdge)
-    };
-    (face) => {
-        Given::New(Kind::Face)
-    };
-    (vertex_gone) => {
-        Given::Gone(Kind::Vertex)
-    };
-    (face_gone) => {
-        Given::Gone(Kind::Face)
-    };
+/// What an edit gives back, by the word in a row.
+#[allow(non_upper_case_globals)] // the words themselves
+mod gives {
+    use super::{Given, Kind};
+
+    pub(super) const vertex: Given = Given::New(Kind::Vertex);
+    pub(super) const half_edge: Given = Given::New(Kind::HalfEdge);
+    pub(super) const face: Given = Given::New(Kind::Face);
+    pub(super) const vertex_gone: Given = Given::Gone(Kind::Vertex);
+    pub(super) const face_gone: Given = Given::Gone(Kind::Face);
 }
 
 macro_rules! parameters {
     (( $($name:ident: $takes:ident),* )) => {
-        &[$(Parameter { name: stringify!($name), takes: takes!($takes) }),*]
+        &[$(Parameter { name: stringify!($name), takes: takes::$takes }),*]
     };
 }
 
@@ -90,7 +70,7 @@ macro_rules! rows {
                 let row = Row::new(
                     stringify!($word),
                     parameters!($list),
-                    &[$(gives!($gives)),*],
+                    &[$(gives::$gives),*],
                     $help,
                 );
                 $(#[allow(unused_variables)] // of a row that takes nothing

@@ -40,30 +40,6 @@ macro_rules! ids {
 
 ids!(VertexId, HalfEdgeId, EdgeId, FaceId);
 
-#[cfg(feature = "navmesh")]
-mod navmesh {
-    use crate::navmesh::{ComponentId, ObstacleId};
-    use ::serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    macro_rules! numbers {
-        ($($id:ident),*) => {$(
-            impl Serialize for $id {
-                fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                    serializer.serialize_u32(self.0)
-                }
-            }
-
-            impl<'de> Deserialize<'de> for $id {
-                fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                    u32::deserialize(deserializer).map(Self)
-                }
-            }
-        )*};
-    }
-
-    numbers!(ComponentId, ObstacleId);
-}
-
 impl<I: Id, T: Serialize> Serialize for IdMap<I, T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.as_slice())

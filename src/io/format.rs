@@ -20,66 +20,72 @@
 //!   tables      .tables .txt             x      the tables of the lecture slides
 //! ```
 
-use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
-/// A file format.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-#[non_exhaustive]
-pub enum Format {
-    /// Wavefront [OBJ](super::obj).
-    Obj,
-    /// [Object File Format](super::off) of Geomview.
-    Off,
-    /// [Polygon File Format](super::ply) of Stanford, any encoding; written as text.
-    Ply,
-    /// The same, written as binary, little endian.
-    PlyBinary,
-    /// [Stereolithography](super::stl), text or binary; written as text.
-    Stl,
-    /// The same, written as binary, in single precision.
-    StlBinary,
-    /// The [`.node` and `.ele`](super::triangle) files of Triangle.
-    Triangle,
-    /// [GeoJSON](super::geojson) (RFC 7946).
-    GeoJson,
-    /// [TopoJSON](super::topojson).
-    TopoJson,
-    /// [Navigation mesh](super::mesh) of polyanya, version 2 or 3; written as version 2.
-    Mesh,
-    /// [Grid map](super::grid) of the Moving AI benchmarks, read as rectangles.
-    Map,
-    /// [Well-known text](super::wkt): polygons, or segments if there is none.
-    Wkt,
-    /// The [`.poly`](super::poly) files of Triangle.
-    Poly,
-    /// [Plain segments](super::segments), four numbers a line.
-    Segments,
-    /// The kit's own [text](super::dcel).
-    Dcel,
-    /// The vertex, half-edge and face [tables](super::tables) of the lecture slides.
-    Tables,
+crate::named! {
+    /// A file format.
+    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+    #[non_exhaustive]
+    pub enum Format {
+        /// Wavefront [OBJ](super::obj).
+        Obj = "obj",
+        /// [Object File Format](super::off) of Geomview.
+        Off = "off",
+        /// [Polygon File Format](super::ply) of Stanford, any encoding; written as text.
+        Ply = "ply",
+        /// The same, written as binary, little endian.
+        PlyBinary = "ply-binary",
+        /// [Stereolithography](super::stl), text or binary; written as text.
+        Stl = "stl",
+        /// The same, written as binary, in single precision.
+        StlBinary = "stl-binary",
+        /// The [`.node` and `.ele`](super::triangle) files of Triangle.
+        Triangle = "triangle",
+        /// [GeoJSON](super::geojson) (RFC 7946).
+        GeoJson = "geojson",
+        /// [TopoJSON](super::topojson).
+        TopoJson = "topojson",
+        /// [Navigation mesh](super::mesh) of polyanya, version 2 or 3; written as version 2.
+        Mesh = "mesh",
+        /// [Grid map](super::grid) of the Moving AI benchmarks, read as rectangles.
+        Map = "map",
+        /// [Well-known text](super::wkt): polygons, or segments if there is none.
+        Wkt = "wkt",
+        /// The [`.poly`](super::poly) files of Triangle.
+        Poly = "poly",
+        /// [Plain segments](super::segments), four numbers a line.
+        Segments = "segments",
+        /// The kit's own [text](super::dcel).
+        Dcel = "dcel",
+        /// The vertex, half-edge and face [tables](super::tables) of the lecture slides.
+        Tables = "tables",
+    }
+
+    /// The word that names the format on the command line.
+    fn name as Display;
+    /// All formats, in the order in which they are listed to people.
+    const ALL;
 }
 
-/// Name, ends of file names without the dot, and one line for people, in the order of [`Format::ALL`].
-const ROWS: [(&str, &[&str], &str); 16] = [
-    ("obj", &["obj"], "Wavefront OBJ: vertices and polygons in space"),
-    ("off", &["off"], "Geomview OFF: vertices and polygons in space"),
-    ("ply", &["ply"], "Stanford PLY, text or binary: vertices and polygons in space"),
-    ("ply-binary", &["ply"], "Stanford PLY, written as binary (little endian)"),
-    ("stl", &["stl"], "STL, text or binary: triangles in space; written as text"),
-    ("stl-binary", &["stl"], "STL, written as binary, in single precision"),
-    ("triangle", &["node", "ele"], "Triangle's .node and .ele: triangles in the plane, two files"),
-    ("geojson", &["geojson", "json"], "GeoJSON: polygons with holes and names; lines, if there is no polygon"),
-    ("topojson", &["topojson"], "TopoJSON: polygons with shared borders (read only)"),
-    ("mesh", &["mesh"], "polyanya .mesh, versions 2 and 3: a navigation mesh"),
-    ("map", &["map"], "Moving AI .map: a grid of cells, as rectangles (read only)"),
-    ("wkt", &["wkt"], "well-known text: polygons with holes; lines and points, if there is no polygon (read only)"),
-    ("poly", &["poly"], "Triangle's .poly: points, segments and holes (read only)"),
-    ("segments", &["segments", "seg", "cin"], "plain segments: four numbers a line (read only)"),
-    ("dcel", &["dcel"], "the kit's text: the whole structure, broken ones included"),
-    ("tables", &["tables", "txt"], "the vertex, half-edge and face tables of the slides (write only)"),
+/// Ends of file names without the dot, and one line for people, in the order of [`Format::ALL`].
+const ROWS: [(&[&str], &str); 16] = [
+    (&["obj"], "Wavefront OBJ: vertices and polygons in space"),
+    (&["off"], "Geomview OFF: vertices and polygons in space"),
+    (&["ply"], "Stanford PLY, text or binary: vertices and polygons in space"),
+    (&["ply"], "Stanford PLY, written as binary (little endian)"),
+    (&["stl"], "STL, text or binary: triangles in space; written as text"),
+    (&["stl"], "STL, written as binary, in single precision"),
+    (&["node", "ele"], "Triangle's .node and .ele: triangles in the plane, two files"),
+    (&["geojson", "json"], "GeoJSON: polygons with holes and names; lines, if there is no polygon"),
+    (&["topojson"], "TopoJSON: polygons with shared borders (read only)"),
+    (&["mesh"], "polyanya .mesh, versions 2 and 3: a navigation mesh"),
+    (&["map"], "Moving AI .map: a grid of cells, as rectangles (read only)"),
+    (&["wkt"], "well-known text: polygons with holes; lines and points, if there is no polygon (read only)"),
+    (&["poly"], "Triangle's .poly: points, segments and holes (read only)"),
+    (&["segments", "seg", "cin"], "plain segments: four numbers a line (read only)"),
+    (&["dcel"], "the kit's text: the whole structure, broken ones included"),
+    (&["tables", "txt"], "the vertex, half-edge and face tables of the slides (write only)"),
 ];
 
 /// The word is not the name of a format.
@@ -90,42 +96,16 @@ pub struct UnknownFormat {
 }
 
 impl Format {
-    /// All formats, in the order in which they are listed to people.
-    pub const ALL: [Self; 16] = [
-        Self::Obj,
-        Self::Off,
-        Self::Ply,
-        Self::PlyBinary,
-        Self::Stl,
-        Self::StlBinary,
-        Self::Triangle,
-        Self::GeoJson,
-        Self::TopoJson,
-        Self::Mesh,
-        Self::Map,
-        Self::Wkt,
-        Self::Poly,
-        Self::Segments,
-        Self::Dcel,
-        Self::Tables,
-    ];
-
-    /// The word that names the format on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        ROWS[self as usize].0
-    }
-
     /// The ends of file names that belong to it, without the dot.
     #[must_use]
     pub const fn extensions(self) -> &'static [&'static str] {
-        ROWS[self as usize].1
+        ROWS[self as usize].0
     }
 
     /// One line for people.
     #[must_use]
     pub const fn describe(self) -> &'static str {
-        ROWS[self as usize].2
+        ROWS[self as usize].1
     }
 
     /// Whether the kit can read it.
@@ -146,12 +126,6 @@ impl Format {
     pub fn from_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

@@ -60,10 +60,13 @@ impl FeatureSet {
         self.add(no, !holds);
     }
 
-    /// Adds each feature whose number is passed: `[(2, bit of "more than 2"), …]`.
-    pub fn more(&mut self, count: usize, steps: impl IntoIterator<Item = (usize, u32)>) {
-        for (than, bit) in steps {
-            self.add(bit, count > than);
+    /// Adds each feature of the vocabulary whose number is passed: `face_8_more` of the ids `face_N_more` if there are
+    /// more than 8. Where nothing else needs them, their names begin with `_`.
+    pub fn more(&mut self, vocabulary: &[Feature], ids: &str, count: usize) {
+        let (before, after) = ids.split_once('N').unwrap_or((ids, ""));
+        for (bit, feature) in (0..).zip(vocabulary) {
+            let than = feature.id.strip_prefix(before).and_then(|rest| rest.strip_suffix(after)?.parse::<usize>().ok());
+            self.add(bit, than.is_some_and(|than| count > than));
         }
     }
 

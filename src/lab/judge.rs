@@ -71,6 +71,16 @@ impl Asked {
         all
     }
 
+    /// Cases that are always the same, then some [from seeds](Self::from_seeds).
+    pub fn fixed_and_seeded(
+        fixed: impl IntoIterator<Item = Case>,
+        plan: &Plan,
+        count: usize,
+        cases: impl FnMut(u64, usize) -> Vec<Case>,
+    ) -> Vec<Self> {
+        Self::fixed(fixed).into_iter().chain(Self::from_seeds(plan, count, cases)).collect()
+    }
+
     fn all(cases: impl IntoIterator<Item = Case>, source: Source) -> Vec<Self> {
         cases.into_iter().map(|case| Self { case, source }).collect()
     }
@@ -85,6 +95,14 @@ pub struct Suite {
     pub tests: &'static [&'static str],
     /// Its cases, the simplest first.
     pub asked: Vec<Asked>,
+}
+
+impl Suite {
+    /// A suite with the name of the first of its tests.
+    #[must_use]
+    pub fn of(tests: &'static [&'static str], asked: Vec<Asked>) -> Self {
+        Self { name: tests[0], tests, asked }
+    }
 }
 
 /// Something that holds of some calls and not of others, seen before the call is made.

@@ -1,38 +1,8 @@
 //! What can be said of a test, and what to do next.
 
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
-/// An enumeration whose values have a name each: the type, all values in their order, and the name of each.
-macro_rules! named {
-    (
-        $(#[$meta:meta])* pub enum $type:ident { $($(#[$about:meta])* $value:ident = $name:literal,)+ }
-        $(#[$about_all:meta])* const ALL;
-        $(#[$about_name:meta])* fn $of:ident;
-    ) => {
-        $(#[$meta])*
-        pub enum $type {
-            $($(#[$about])* $value,)+
-        }
-
-        impl $type {
-            $(#[$about_all])*
-            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
-
-            $(#[$about_name])*
-            #[must_use]
-            pub fn $of(self) -> &'static str {
-                match self {
-                    $(Self::$value => $name,)+
-                }
-            }
-        }
-    };
-}
-#[cfg(feature = "grade")]
-pub(crate) use named;
-
-named! {
+dcel_kit::named! {
     /// What came of a graded test, or of a whole submission. The order is from best to worst news for its author.
     #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
@@ -64,10 +34,10 @@ named! {
         GraderFault = "grader fault",
     }
 
+    /// The verdict in words, as reports print it.
+    fn word as Display;
     /// All verdicts, in their order.
     const ALL;
-    /// The verdict in words, as reports print it.
-    fn word;
 }
 
 impl Verdict {
@@ -108,12 +78,6 @@ impl Verdict {
     #[must_use]
     pub fn is_passed(self) -> bool {
         self == Self::Passed
-    }
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.word())
     }
 }
 

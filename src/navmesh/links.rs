@@ -249,19 +249,7 @@ impl Planner {
         start: &Stop,
         goal: &Stop,
     ) -> Result<LinkedRoute, LinkError> {
-        let mut work = Work::default();
-        let path = self.over_links(
-            layers,
-            links,
-            [start, goal],
-            |_| 1.0,
-            |planner, layer, [from, to]| {
-                let route = planner.route(&layers[layer], algorithm, from, to).ok()?;
-                work += route.work;
-                Some((route.length, route))
-            },
-        )?;
-        Ok(LinkedRoute { work, ..path })
+        self.over_links(layers, links, algorithm, None, [start, goal])
     }
 
     /// The cheapest of the paths over links from one of the starts to one of the goals, as from all sides of a double corner;
@@ -307,10 +295,7 @@ impl Planner {
         costs: Option<&[FaceMap<f64>]>,
         [starts, goals]: [&[Stop]; 2],
     ) -> Result<(LinkedRoute, [usize; 2]), LinkError> {
-        let find = |[i, k]: [usize; 2]| match costs {
-            Some(costs) => self.weighted_linked_route(layers, links, algorithm, costs, &starts[i], &goals[k]),
-            None => self.linked_route(layers, links, algorithm, &starts[i], &goals[k]),
-        };
+        let find = |[i, k]: [usize; 2]| self.over_links(layers, links, algorithm, costs, [&starts[i], &goals[k]]);
         cheapest_pair([starts.len(), goals.len()], find, |path| path.cost)
     }
 
@@ -352,49 +337,56 @@ impl Planner {
         start: &Stop,
         goal: &Stop,
     ) -> Result<LinkedRoute, LinkError> {
-        assert_eq!(costs.len(), layers.len(), "costs for every layer");
-        let cheapest = |(mesh, costs): (&NavMesh, &FaceMap<f64>)| {
-            mesh.faces().map(|f| costs[f].max(0.0)).fold(f64::INFINITY, f64::min)
-        };
-        let least: Vec<f64> = layers.iter().zip(costs).map(cheapest).collect();
-        let mut work = Work::default();
-        let path = self.over_links(
-            layers,
-            links,
-            [start, goal],
-            |layer| least[layer],
-            |planner, layer, [from, to]| {
-                let route = planner.weighted_route(&layers[layer], algorithm, &costs[layer], from, to).ok()?;
-                work += route.work;
-                Some((layers[layer].cost_along(&route, &costs[layer]), route))
-            },
-        )?;
-        Ok(LinkedRoute { work, ..path })
+        self.over_links(layers, links, algorithm, Some(costs), [start, goal])
     }
 
-    /// A unit as the crow flies costs at least `least` on a layer; `leg` finds a leg on a layer and its cost.
+    /// Both kinds of linked routes.
     fn over_links(
         &mut self,
         layers: &[NavMesh],
         links: &[Link],
+        algorithm: PathAlgorithm,
+        costs: Option<&[FaceMap<f64>]>,
         [start, goal]: [&Stop; 2],
-        least: impl Fn(usize) -> f64,
-        mut leg: impl FnMut(&mut Self, usize, [&QueryPoint; 2]) -> Option<(f64, Route)>,
     ) -> Result<LinkedRoute, LinkError> {
+        if let Some(costs) = costs {
+            assert_eq!(costs.len(), layers.len(), "costs for every layer");
+        }
         check(layers.len(), links, &[start, goal])?;
+        // What a unit as the crow flies costs at least on a layer.
+        let cheapest = |(layer, mesh): (usize, &NavMesh)| {
+            costs.map_or(1.0, |all| mesh.faces().map(|f| all[layer][f].max(0.0)).fold(f64::INFINITY, f64::min))
+        };
+        let least: Vec<f64> = layers.iter().enumerate().map(cheapest).collect();
+        let mut work = Work::default();
         let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
         let target = |i: usize| links.get(i).map_or(goal, |link| &link.from);
-        let costs: Vec<f64> = links.iter().map(|link| link.cost).collect();
+        let prices: Vec<f64> = links.iter().map(|link| link.cost).collect();
         let found = over_links(
-            &costs,
+            &prices,
             Some(()),
             f64::INFINITY,
-            |from, to| Some(least(node(from).layer) * as_crow_flies(layers, node(from), target(to))?),
-            |from, to| leg(self, node(from).layer, [&node(from).place, &target(to).place]),
+            |from, to| Some(least[node(from).layer] * as_crow_flies(layers, node(from), target(to))?),
+            |from, to| {
+                let Stop { layer, place: ref from } = *node(from);
+                let (mesh, to) = (&layers[layer], &target(to).place);
+                let (cost, route) = match costs.map(|all| &all[layer]) {
+                    Some(costs) => {
+                        let route = self.weighted_route(mesh, algorithm, costs, from, to).ok()?;
+                        (mesh.cost_along(&route, costs), route)
+                    }
+                    None => {
+                        let route = self.route(mesh, algorithm, from, to).ok()?;
+                        (route.length, route)
+                    }
+                };
+                work += route.work;
+                Some((cost, route))
+            },
         );
         let Found { legs, links, cost, .. } = found.ok_or(LinkError::Unreachable)?;
         let legs = legs.into_iter().map(|(from, route)| Leg { layer: node(from).layer, route }).collect();
-        Ok(LinkedRoute { legs, links, cost, work: Work::default() })
+        Ok(LinkedRoute { legs, links, cost, work })
     }
 
     /// How far it is from a place to all vertices of all layers, over the meshes and links, as far as that is no more

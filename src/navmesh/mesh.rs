@@ -34,6 +34,7 @@ use std::sync::OnceLock;
 
 /// A part of the mesh in which every face can be reached from every other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 pub struct ComponentId(pub u32);
 
 impl std::fmt::Display for ComponentId {

@@ -14,6 +14,7 @@ use super::marks::NONE;
 use super::merged::Merged;
 use super::reduced_astar::{self, ReducedAStar};
 use super::reduced_bfs::{self, ReducedBfs};
+use super::route::shortest_pair;
 use super::scratch::Scratch;
 use super::{DistanceField, NavMesh, PathAlgorithm, QueryPoint, Route, RouteError, portals};
 use crate::ids::{FaceId, FaceMap};
@@ -128,22 +129,8 @@ impl Planner {
         starts: &[QueryPoint],
         goals: &[QueryPoint],
     ) -> Result<(Route, [usize; 2]), RouteError> {
-        assert!(!starts.is_empty() && !goals.is_empty(), "a route has two ends");
-        let mut best: Option<Result<(Route, [usize; 2]), RouteError>> = None;
-        for (i, start) in starts.iter().enumerate() {
-            for (k, goal) in goals.iter().enumerate() {
-                let found = self.route(mesh, algorithm, start, goal).map(|route| (route, [i, k]));
-                let is_better = match (&found, &best) {
-                    (_, None) | (Ok(_), Some(Err(_))) => true,
-                    (Ok((route, _)), Some(Ok((least, _)))) => route.length < least.length,
-                    (Err(_), Some(_)) => false,
-                };
-                if is_better {
-                    best = Some(found);
-                }
-            }
-        }
-        best.expect("there is a pair")
+        let find = |[i, k]: [usize; 2]| self.route(mesh, algorithm, &starts[i], &goals[k]);
+        shortest_pair([starts.len(), goals.len()], find, |route| route.length)
     }
 
     /// A route between two places of the mesh.
@@ -209,11 +196,7 @@ impl Planner {
         goal: &QueryPoint,
     ) -> Result<Route, RouteError> {
         assert!(costs.len() >= mesh.face_bound(), "{} costs for {} faces", costs.len(), mesh.face_bound());
-        let metric = if matches!(algorithm, PathAlgorithm::Breadth | PathAlgorithm::Exact) {
-            PathAlgorithm::Closest
-        } else {
-            algorithm
-        };
+        let metric = algorithm.over_costs();
         let ends = [start.point, goal.point];
         let mut best = self.search(mesh, [start, goal], None, Some(costs), |planner| {
             corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), |_, _| true, ends)

@@ -9,48 +9,37 @@
 use super::{ComponentId, NavMesh, QueryPointError};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
-use std::fmt;
 
-/// The path algorithms: how a route is found.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[non_exhaustive]
-pub enum PathAlgorithm {
-    /// Breadth first: the fewest faces; it runs from junction to junction, see
-    /// [`link_junctions`](NavMesh::link_junctions).
-    Breadth,
-    /// A* from centroid to centroid of the faces.
-    Centroid,
-    /// A* from midpoint to midpoint of the portals.
-    Midpoint,
-    /// A* from each portal to the closest point on the next.
-    Closest,
-    /// A* from each portal to where the straight line to the goal meets the next.
-    Aimed,
-    /// The shortest path of all; it runs over merged faces, see [`merge_faces`](NavMesh::merge_faces).
-    Exact,
+crate::named! {
+    /// The path algorithms: how a route is found.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+    #[non_exhaustive]
+    pub enum PathAlgorithm {
+        /// Breadth first: the fewest faces; it runs from junction to junction, see
+        /// [`link_junctions`](NavMesh::link_junctions).
+        Breadth = "breadth",
+        /// A* from centroid to centroid of the faces.
+        Centroid = "centroid",
+        /// A* from midpoint to midpoint of the portals.
+        Midpoint = "midpoint",
+        /// A* from each portal to the closest point on the next.
+        Closest = "closest",
+        /// A* from each portal to where the straight line to the goal meets the next.
+        Aimed = "aimed",
+        /// The shortest path of all; it runs over merged faces, see [`merge_faces`](NavMesh::merge_faces).
+        Exact = "exact",
+    }
+
+    /// One word for it.
+    fn name as Display;
+    /// All of them, from the lowest to the highest.
+    const ALL;
 }
 
 impl PathAlgorithm {
-    /// All of them, from the lowest to the highest.
-    pub const ALL: [Self; 6] = [Self::Breadth, Self::Centroid, Self::Midpoint, Self::Closest, Self::Aimed, Self::Exact];
-
-    /// One word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Breadth => "breadth",
-            Self::Centroid => "centroid",
-            Self::Midpoint => "midpoint",
-            Self::Closest => "closest",
-            Self::Aimed => "aimed",
-            Self::Exact => "exact",
-        }
-    }
-}
-
-impl fmt::Display for PathAlgorithm {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+    /// What is searched by where faces have costs: neither the fewest faces nor an exact path is known there.
+    pub(super) fn over_costs(self) -> Self {
+        if matches!(self, Self::Breadth | Self::Exact) { Self::Closest } else { self }
     }
 }
 
@@ -150,4 +139,25 @@ pub enum RouteError {
         /// The radius of the agent.
         radius: f64,
     },
+}
+
+/// Of what is found for each pair of a start and a goal, by their numbers, the shortest; of equals the first. With it its
+/// pair. If there is nothing, why it is so for the first pair.
+pub(super) fn shortest_pair<R, E>(
+    [starts, goals]: [usize; 2],
+    mut find: impl FnMut([usize; 2]) -> Result<R, E>,
+    length: impl Fn(&R) -> f64,
+) -> Result<(R, [usize; 2]), E> {
+    assert!(starts > 0 && goals > 0, "a route has two ends");
+    let (mut best, mut first_error) = (None, None);
+    for pair in (0..starts).flat_map(|i| (0..goals).map(move |k| [i, k])) {
+        match find(pair) {
+            Ok(route) if best.as_ref().is_none_or(|(least, _)| length(&route) < length(least)) => {
+                best = Some((route, pair));
+            }
+            Ok(_) => {}
+            Err(error) => _ = first_error.get_or_insert(error),
+        }
+    }
+    best.ok_or_else(|| first_error.expect("there is a pair"))
 }

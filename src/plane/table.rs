@@ -10,7 +10,7 @@
 //!   f7 outer                                  f7 <-> f0    the outer face and f0 change numbers
 //! ```
 
-use super::{CoordinateError, GeometryViolation, Point, Subdivision};
+use super::{CoordinateError, GeometryViolation, PlanarView, Point, Subdivision};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
 use crate::topology::{
     Columns, Dcel, HalfEdgeRow, InnerComponent, NoRecorder, Table, TableColumns, TooMany, View, Violation, violations,
@@ -110,6 +110,26 @@ impl Subdivision {
             return Ok(subdivision);
         }
         Err(TableError::Geometry { violations: violations.into_iter().map(|v| numbers.named_back(v)).collect() })
+    }
+}
+
+impl Table {
+    /// Copies the pointers and positions of a view of the plane; names are left empty.
+    ///
+    /// ```
+    /// use dcel_kit::{plane::Subdivision, topology::Table};
+    /// let square = Subdivision::lab_rectangle();
+    /// assert_eq!(Subdivision::from_table(&Table::from_planar_view(&square))?, square);
+    /// # Ok::<(), dcel_kit::plane::TableError>(())
+    /// ```
+    pub fn from_planar_view(view: &dyn PlanarView) -> Self {
+        let mut table = Self::from_view(view);
+        for (v, row) in (0..).map(VertexId::new).zip(&mut table.vertices) {
+            if let Some(row) = row {
+                row.position = view.position(v).map(|p| [p.x, p.y]);
+            }
+        }
+        table
     }
 }
 

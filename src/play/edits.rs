@@ -9,7 +9,6 @@ use crate::edits::{Call, EditError, Editable};
 use crate::ids::{Element, FaceId};
 use crate::script::{Outcome, Script, ScriptError, Writer, parse_on};
 use crate::topology::{Change, Journal};
-use std::fmt;
 use std::ops::ControlFlow;
 
 /// A structure and its history.
@@ -37,24 +36,6 @@ pub(super) struct Shown {
     pub(super) text: String,
     /// What it returned.
     pub(super) note: String,
-}
-
-/// Why a typed line was not carried out.
-#[derive(Debug)]
-pub(super) enum LineError {
-    /// It cannot be read.
-    Script(ScriptError),
-    /// It can be read, and is refused.
-    Refused(String),
-}
-
-impl fmt::Display for LineError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Script(error) => error.fmt(f),
-            Self::Refused(reason) => f.write_str(reason),
-        }
-    }
 }
 
 /// What a line has done.
@@ -198,7 +179,7 @@ impl<S: Editable> Workshop<S> {
     }
 
     /// Carries out one line of the script language. Ids mean what the picture shows: `split_in_half h12`.
-    pub(super) fn line(&mut self, text: &str) -> Result<Done, LineError> {
+    pub(super) fn line(&mut self, text: &str) -> Result<Done, String> {
         let text = text.split('#').next().unwrap_or("").trim();
         let (name, rest) = match text.strip_prefix("let ").and_then(|rest| rest.split_once('=')) {
             Some((name, rest)) => (Some(name.trim()), rest.trim()),
@@ -208,7 +189,7 @@ impl<S: Editable> Workshop<S> {
         if let Ok(call) = rest.parse::<Call<S>>()
             && name.is_none()
         {
-            return self.edit(call, None).map_err(|error| LineError::Refused(error.to_string()));
+            return self.edit(call, None).map_err(|error| error.to_string());
         }
         let before = self.writer.lines()[1..].join("\n");
         // The start has a line of its own, so that lines are numbered as the page shows them.
@@ -219,10 +200,10 @@ impl<S: Editable> Workshop<S> {
             Ok(script) => script,
             Err(error) => {
                 // `let door = split_face h12 h3`: the name is the language's business, the ids are the picture's.
-                let Some((call, name)) = shown_as else { return Err(LineError::Script(error)) };
-                self.check_name(name).map_err(LineError::Script)?;
+                let Some((call, name)) = shown_as else { return Err(error.to_string()) };
+                self.check_name(name).map_err(|error| error.to_string())?;
                 let done = self.edit(call, Some(name.to_owned()));
-                return done.map_err(|error| LineError::Refused(error.to_string()));
+                return done.map_err(|error| error.to_string());
             }
         };
         self.said(&script, text, name)
@@ -236,7 +217,7 @@ impl<S: Editable> Workshop<S> {
     }
 
     /// Carries out the last statement of a script whose others have been carried out.
-    fn said(&mut self, script: &Script<S>, text: &str, name: Option<&str>) -> Result<Done, LineError> {
+    fn said(&mut self, script: &Script<S>, text: &str, name: Option<&str>) -> Result<Done, String> {
         let mut last = None;
         script.play(|step, _| {
             last = Some(step.outcome);
@@ -247,9 +228,9 @@ impl<S: Editable> Workshop<S> {
         let elements = match &outcome {
             Outcome::Edited { edit, .. } => {
                 let edit = edit.clone();
-                return self.edit(edit, name).map_err(|error| LineError::Refused(error.to_string()));
+                return self.edit(edit, name).map_err(|error| error.to_string());
             }
-            Outcome::Refused { reason, .. } => return Err(LineError::Refused(reason.to_string())),
+            Outcome::Refused { reason, .. } => return Err(reason.to_string()),
             Outcome::WalkedFace { cycle, .. } => cycle.iter().map(|&(h, _)| h.into()).collect(),
             Outcome::WalkedVertex { star, .. } => star.iter().map(|&(h, _)| h.into()).collect(),
             Outcome::Named(element) => vec![*element],

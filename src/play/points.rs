@@ -6,30 +6,30 @@ use crate::plane::{Point, Subdivision, Window};
 /// No more points are taken: each frame of a drag makes everything anew.
 const MOST: usize = 2000;
 
-/// What is drawn over the triangulation.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(super) enum Layer {
-    #[default]
-    Nothing,
-    Circles,
-    Voronoi,
+crate::named! {
+    /// What is drawn over the triangulation.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+    pub(super) enum Layer {
+        #[default]
+        Nothing = "delaunay",
+        Circles = "circles",
+        Voronoi = "voronoi",
+    }
+
+    /// The word for it.
+    fn word;
+    /// All of them.
+    const ALL;
 }
 
 impl Layer {
-    const ALL: [(&'static str, Self); 3] =
-        [("delaunay", Self::Nothing), ("circles", Self::Circles), ("voronoi", Self::Voronoi)];
-
-    pub(super) fn word(self) -> &'static str {
-        Self::ALL.iter().find(|(_, layer)| *layer == self).map_or("delaunay", |(word, _)| word)
-    }
-
     pub(super) fn of(word: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == word).map(|&(_, layer)| layer)
+        Self::ALL.into_iter().find(|layer| layer.word() == word)
     }
 }
 
 /// Points, their triangulation, and the points before each change.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Points {
     points: Vec<Point>,
     delaunay: Subdivision,
@@ -41,13 +41,7 @@ pub(super) struct Points {
 impl Points {
     /// The points, all of different places.
     pub(super) fn new(points: Vec<Point>) -> Result<Self, String> {
-        let mut scene = Self {
-            points: Vec::new(),
-            delaunay: Subdivision::new(),
-            past: Vec::new(),
-            undone: Vec::new(),
-            layer: Layer::default(),
-        };
+        let mut scene = Self::default();
         scene.set(points)?;
         Ok(scene)
     }

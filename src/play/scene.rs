@@ -12,7 +12,7 @@ use super::points::Points;
 use crate::figure::{Figure, FigureError, FigureOptions, Film};
 use crate::ids::FaceMap;
 use crate::io::{Format, LoadOptions, Model, ReadOptions, Structure, assemble, points_from_text, read_bytes, write};
-use crate::plane::{PlanarView, Point, Subdivision};
+use crate::plane::{Point, Subdivision};
 use crate::script::{Ground, Script};
 use crate::solid::{Platonic, Polyhedron};
 use crate::topology::{Dcel, Table, View};
@@ -196,7 +196,7 @@ impl Scene {
     pub(super) fn table(&self) -> Table {
         match self {
             Self::Plane { work, names } => {
-                let mut table = planar_table(work.now());
+                let mut table = Table::from_planar_view(work.now());
                 if !names.is_empty() {
                     let gone = work.removed_faces();
                     for (f, row) in table.faces.iter_mut().enumerate() {
@@ -208,7 +208,7 @@ impl Scene {
                 table
             }
             Self::Kernel(work) => Table::from_view(work.now()),
-            Self::Points(points) => planar_table(points.delaunay()),
+            Self::Points(points) => Table::from_planar_view(points.delaunay()),
         }
     }
 
@@ -307,18 +307,6 @@ fn dcel_of(table: &Table) -> Option<Dcel> {
     }
     let built = Dcel::from_polygons(table.vertex_bound(), &polygons).ok()?.dcel;
     (Table::from_view(&built) == *table).then_some(built)
-}
-
-/// A table with positions.
-pub(super) fn planar_table(s: &Subdivision) -> Table {
-    let mut table = Table::from_view(s);
-    for v in s.vertices() {
-        let place = s.position(v).map(|p| [p.x, p.y]);
-        if let Some(row) = table.vertices.get_mut(v.index()).and_then(Option::as_mut) {
-            row.position = place;
-        }
-    }
-    table
 }
 
 /// The text of a `.dcel` file.

@@ -1,12 +1,12 @@
 //! Sessions as a whole: random actions, history against the script, links, files and texts that are wrong.
 
 use super::dice::Dice;
-use super::scene::{Scene, planar_table};
+use super::scene::Scene;
 use super::{Action, Reply, Session, Tone};
 use crate::ids::HalfEdgeId;
 use crate::plane::Subdivision;
 use crate::script::Script;
-use crate::topology::isomorphic;
+use crate::topology::{Table, isomorphic};
 
 fn plane(session: &Session) -> Subdivision {
     let kept = session.link();
@@ -168,7 +168,7 @@ fn undo_leads_through_the_states_of_the_script_and_redo_back() {
         for (state, text) in states.iter().zip(&scripts) {
             let run = Script::parse(text, "saved").unwrap_or_else(|error| panic!("seed {seed}: {error}\n{text}")).run();
             assert!(run.steps.iter().all(|step| !step.outcome.is_refused()), "seed {seed}:\n{text}");
-            assert_eq!(planar_table(&run.end), planar_table(state), "seed {seed}:\n{text}");
+            assert_eq!(Table::from_planar_view(&run.end), Table::from_planar_view(state), "seed {seed}:\n{text}");
         }
         for (state, text) in states.iter().zip(&scripts).rev().skip(1) {
             session.act(&Action::Undo);
@@ -320,7 +320,7 @@ fn a_pointer_that_is_led_elsewhere_breaks_invariants_until_it_is_mended() {
     let sound = session.link();
     let reply = session.act(&Action::Break { id: "h2".to_owned(), pointer: "next".to_owned(), to: "h8".to_owned() });
     let faults = reply.status.unwrap().violations;
-    let mut table = planar_table(&Subdivision::lab_rectangle());
+    let mut table = Table::from_planar_view(&Subdivision::lab_rectangle());
     table.half_edges[2].as_mut().unwrap().next = Some(HalfEdgeId::new(8));
     let expected: Vec<String> = crate::topology::violations(&table).iter().map(ToString::to_string).collect();
     assert_eq!(faults.iter().map(|fault| fault.text.clone()).collect::<Vec<_>>(), expected);

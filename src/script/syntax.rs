@@ -106,60 +106,38 @@ pub(super) enum Base {
     Named(usize),
 }
 
-/// A step from one element to another.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-#[non_exhaustive]
-pub enum Link {
-    /// The half-edge after a half-edge.
-    Next,
-    /// The half-edge before a half-edge.
-    Prev,
-    /// The other half of the edge.
-    Twin,
-    /// The vertex a half-edge starts at.
-    Origin,
-    /// The vertex a half-edge ends at.
-    Destination,
-    /// The face on the left of a half-edge.
-    Face,
-    /// The edge of a half-edge.
-    Edge,
-    /// The stored half-edge of a vertex.
-    Outgoing,
-    /// The stored half-edge of a face.
-    HalfEdge,
+crate::named! {
+    /// A step from one element to another.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+    #[non_exhaustive]
+    pub enum Link {
+        /// The half-edge after a half-edge.
+        Next = "next",
+        /// The half-edge before a half-edge.
+        Prev = "prev",
+        /// The other half of the edge.
+        Twin = "twin",
+        /// The vertex a half-edge starts at.
+        Origin = "origin",
+        /// The vertex a half-edge ends at.
+        Destination = "destination",
+        /// The face on the left of a half-edge.
+        Face = "face",
+        /// The edge of a half-edge.
+        Edge = "edge",
+        /// The stored half-edge of a vertex.
+        Outgoing = "outgoing",
+        /// The stored half-edge of a face.
+        HalfEdge = "half_edge",
+    }
+
+    /// The word for it.
+    fn word;
+    /// All links.
+    const ALL;
 }
 
 impl Link {
-    /// All links.
-    pub const ALL: [Self; 9] = [
-        Self::Next,
-        Self::Prev,
-        Self::Twin,
-        Self::Origin,
-        Self::Destination,
-        Self::Face,
-        Self::Edge,
-        Self::Outgoing,
-        Self::HalfEdge,
-    ];
-
-    /// The word for it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Next => "next",
-            Self::Prev => "prev",
-            Self::Twin => "twin",
-            Self::Origin => "origin",
-            Self::Destination => "destination",
-            Self::Face => "face",
-            Self::Edge => "edge",
-            Self::Outgoing => "outgoing",
-            Self::HalfEdge => "half_edge",
-        }
-    }
-
     pub(crate) fn from(self) -> Kind {
         match self {
             Self::Outgoing => Kind::Vertex,

@@ -23,14 +23,14 @@ impl Polyhedron {
     /// for many angles see [`measures`](Self::measures), here and for what follows.
     #[must_use]
     pub fn corner_angle(&self, h: HalfEdgeId) -> f64 {
-        AreaVectors::corner_angle(self, h)
+        self.unseen().corner_angle(h)
     }
 
     /// The angle inside the solid between the two faces of `e`: between 0 and 2 pi, less than pi if the edge is
     /// convex. None if the edge lies on the border, or if one of the faces has no area. O(sizes of the two faces).
     #[must_use]
     pub fn dihedral_angle(&self, e: EdgeId) -> Option<f64> {
-        AreaVectors::dihedral_angle(self, e)
+        self.unseen().dihedral_angle(e)
     }
 
     /// From the origin of `h` to its destination.
@@ -43,7 +43,7 @@ impl Polyhedron {
     /// 2 pi (V - E + F). O(sizes of the faces at `v`).
     #[must_use]
     pub fn deficit_angle(&self, v: VertexId) -> f64 {
-        AreaVectors::deficit_angle(self, v)
+        self.unseen().deficit_angle(v)
     }
 
     /// The sum of all deficit angles. O(V + E + F).
@@ -55,14 +55,14 @@ impl Polyhedron {
     /// The area that belongs to `v`: an equal part of each face at `v`. O(sizes of the faces at `v`).
     #[must_use]
     pub fn vertex_area(&self, v: VertexId) -> f64 {
-        AreaVectors::vertex_area(self, v)
+        self.unseen().vertex_area(v)
     }
 
     /// The curvature of Gauss at `v`: its deficit angle for each unit of area. 1 / r² on a fine mesh of a sphere.
     /// None if the faces at `v` have no area. O(sizes of the faces at `v`).
     #[must_use]
     pub fn gauss_curvature(&self, v: VertexId) -> Option<f64> {
-        AreaVectors::gauss_curvature(self, v)
+        self.unseen().gauss_curvature(v)
     }
 
     /// The mean curvature at `v`: half of what its edges bend, each by (pi - dihedral angle) times half of its
@@ -72,7 +72,7 @@ impl Polyhedron {
     /// Source: J. Steiner's formula for polyhedra, 1840.
     #[must_use]
     pub fn mean_curvature(&self, v: VertexId) -> Option<f64> {
-        AreaVectors::mean_curvature(self, v)
+        self.unseen().mean_curvature(v)
     }
 
     /// Looks at every face once, so that each angle and curvature costs what it touches at its own edge or vertex,
@@ -92,7 +92,12 @@ impl Polyhedron {
             vectors[f] = self.area_vector(f);
             sizes[f] = self.corners(f).count() as u32;
         }
-        Measures { surface: self, vectors, sizes }
+        Measures { surface: self, seen: Some((vectors, sizes)) }
+    }
+
+    /// The formulas, of faces that are looked at only when they are asked for.
+    fn unseen(&self) -> Measures<'_> {
+        Measures { surface: self, seen: None }
     }
 }
 
@@ -102,64 +107,15 @@ impl Polyhedron {
 #[derive(Clone, Debug)]
 pub struct Measures<'a> {
     surface: &'a Polyhedron,
-    /// The area vector of each face.
-    vectors: FaceMap<Vector>,
-    /// The number of corners of each face.
-    sizes: FaceMap<u32>,
+    /// The area vector of each face and the number of its corners.
+    seen: Option<(FaceMap<Vector>, FaceMap<u32>)>,
 }
 
 impl Measures<'_> {
     /// See [`Polyhedron::corner_angle`]. O(1).
     #[must_use]
     pub fn corner_angle(&self, h: HalfEdgeId) -> f64 {
-        AreaVectors::corner_angle(self, h)
-    }
-
-    /// See [`Polyhedron::dihedral_angle`]. O(1).
-    #[must_use]
-    pub fn dihedral_angle(&self, e: EdgeId) -> Option<f64> {
-        AreaVectors::dihedral_angle(self, e)
-    }
-
-    /// See [`Polyhedron::deficit_angle`]. O(degree of `v`), and so the following.
-    #[must_use]
-    pub fn deficit_angle(&self, v: VertexId) -> f64 {
-        AreaVectors::deficit_angle(self, v)
-    }
-
-    /// See [`Polyhedron::total_deficit`]. O(V + E).
-    #[must_use]
-    pub fn total_deficit(&self) -> f64 {
-        self.surface.vertices().map(|v| self.deficit_angle(v)).sum()
-    }
-
-    /// See [`Polyhedron::vertex_area`].
-    #[must_use]
-    pub fn vertex_area(&self, v: VertexId) -> f64 {
-        AreaVectors::vertex_area(self, v)
-    }
-
-    /// See [`Polyhedron::gauss_curvature`].
-    #[must_use]
-    pub fn gauss_curvature(&self, v: VertexId) -> Option<f64> {
-        AreaVectors::gauss_curvature(self, v)
-    }
-
-    /// See [`Polyhedron::mean_curvature`].
-    #[must_use]
-    pub fn mean_curvature(&self, v: VertexId) -> Option<f64> {
-        AreaVectors::mean_curvature(self, v)
-    }
-}
-
-/// The formulas, over area vectors that are made when they are asked for, or were made before.
-trait AreaVectors {
-    fn surface(&self) -> &Polyhedron;
-    fn vector_of(&self, f: FaceId) -> Vector;
-    fn size_of(&self, f: FaceId) -> usize;
-
-    fn corner_angle(&self, h: HalfEdgeId) -> f64 {
-        let surface = self.surface();
+        let surface = self.surface;
         let dcel = surface.topology();
         let [at, to, from] = [h, h.twin(), dcel.prev(h)].map(|h| surface.point(dcel.origin(h)));
         let (a, b) = (minus(to, at), minus(from, at));
@@ -168,8 +124,10 @@ trait AreaVectors {
         if dot(turn, self.vector_of(dcel.face(h))) < 0.0 { TAU - angle } else { angle }
     }
 
-    fn dihedral_angle(&self, e: EdgeId) -> Option<f64> {
-        let surface = self.surface();
+    /// See [`Polyhedron::dihedral_angle`]. O(1).
+    #[must_use]
+    pub fn dihedral_angle(&self, e: EdgeId) -> Option<f64> {
+        let surface = self.surface;
         if e.index() >= surface.topology().edge_bound() {
             surface.topology().no_such(e);
         }
@@ -185,57 +143,52 @@ trait AreaVectors {
         Some(PI - bend.atan2(dot(left, right)))
     }
 
-    fn deficit_angle(&self, v: VertexId) -> f64 {
-        let surface = self.surface();
+    /// See [`Polyhedron::deficit_angle`]. O(degree of `v`), and so the following.
+    #[must_use]
+    pub fn deficit_angle(&self, v: VertexId) -> f64 {
+        let surface = self.surface;
         let used = |h: HalfEdgeId| {
             if surface.is_boundary_face(surface.topology().face(h)) { PI } else { self.corner_angle(h) }
         };
         TAU - surface.outgoing_half_edges(v).map(used).sum::<f64>()
     }
 
-    fn vertex_area(&self, v: VertexId) -> f64 {
-        let surface = self.surface();
+    /// See [`Polyhedron::total_deficit`]. O(V + E).
+    #[must_use]
+    pub fn total_deficit(&self) -> f64 {
+        self.surface.vertices().map(|v| self.deficit_angle(v)).sum()
+    }
+
+    /// See [`Polyhedron::vertex_area`].
+    #[must_use]
+    pub fn vertex_area(&self, v: VertexId) -> f64 {
+        let surface = self.surface;
         let share = |f: FaceId| length(self.vector_of(f)) / self.size_of(f) as f64;
         surface.incident_faces(v).filter(|&f| !surface.is_boundary_face(f)).map(share).sum()
     }
 
-    fn gauss_curvature(&self, v: VertexId) -> Option<f64> {
+    /// See [`Polyhedron::gauss_curvature`].
+    #[must_use]
+    pub fn gauss_curvature(&self, v: VertexId) -> Option<f64> {
         let area = self.vertex_area(v);
         (area > 0.0).then(|| self.deficit_angle(v) / area)
     }
 
-    fn mean_curvature(&self, v: VertexId) -> Option<f64> {
-        let surface = self.surface();
+    /// See [`Polyhedron::mean_curvature`].
+    #[must_use]
+    pub fn mean_curvature(&self, v: VertexId) -> Option<f64> {
+        let surface = self.surface;
         let area = self.vertex_area(v);
         let bend = |h: HalfEdgeId| Some((PI - self.dihedral_angle(h.edge())?) * length(surface.edge_vector(h)) / 4.0);
         (area > 0.0).then(|| surface.outgoing_half_edges(v).filter_map(bend).sum::<f64>() / area)
     }
-}
 
-impl AreaVectors for Polyhedron {
-    fn surface(&self) -> &Polyhedron {
-        self
-    }
-
+    /// Of a face: as it was seen, or as it is looked at now.
     fn vector_of(&self, f: FaceId) -> Vector {
-        self.area_vector(f)
+        self.seen.as_ref().map_or_else(|| self.surface.area_vector(f), |(vectors, _)| vectors[f])
     }
 
     fn size_of(&self, f: FaceId) -> usize {
-        self.incident_half_edges(f).count()
-    }
-}
-
-impl AreaVectors for Measures<'_> {
-    fn surface(&self) -> &Polyhedron {
-        self.surface
-    }
-
-    fn vector_of(&self, f: FaceId) -> Vector {
-        self.vectors[f]
-    }
-
-    fn size_of(&self, f: FaceId) -> usize {
-        self.sizes[f] as usize
+        self.seen.as_ref().map_or_else(|| self.surface.incident_half_edges(f).count(), |(_, sizes)| sizes[f] as usize)
     }
 }

@@ -14,39 +14,30 @@
 use super::vector::{Vector, dot};
 use super::{HullFaces, Polyhedron};
 use std::cmp::Ordering;
-use std::fmt;
 
-/// A regular solid.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Platonic {
-    /// Four triangles.
-    Tetrahedron,
-    /// Six squares.
-    Cube,
-    /// Eight triangles.
-    Octahedron,
-    /// Twelve pentagons.
-    Dodecahedron,
-    /// Twenty triangles.
-    Icosahedron,
+crate::named! {
+    /// A regular solid.
+    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+    pub enum Platonic {
+        /// Four triangles.
+        Tetrahedron = "tetrahedron",
+        /// Six squares.
+        Cube = "cube",
+        /// Eight triangles.
+        Octahedron = "octahedron",
+        /// Twelve pentagons.
+        Dodecahedron = "dodecahedron",
+        /// Twenty triangles.
+        Icosahedron = "icosahedron",
+    }
+
+    /// Its name in small letters.
+    fn name as Display;
+    /// All five, by their number of faces.
+    const ALL;
 }
 
 impl Platonic {
-    /// All five, by their number of faces.
-    pub const ALL: [Self; 5] = [Self::Tetrahedron, Self::Cube, Self::Octahedron, Self::Dodecahedron, Self::Icosahedron];
-
-    /// Its name in small letters.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tetrahedron => "tetrahedron",
-            Self::Cube => "cube",
-            Self::Octahedron => "octahedron",
-            Self::Dodecahedron => "dodecahedron",
-            Self::Icosahedron => "icosahedron",
-        }
-    }
-
     /// The solid with faces and vertices exchanged.
     #[must_use]
     pub const fn dual(self) -> Self {
@@ -73,12 +64,6 @@ impl Platonic {
             Self::Cube => 4,
             Self::Dodecahedron => 5,
         }
-    }
-}
-
-impl fmt::Display for Platonic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

@@ -61,18 +61,6 @@ pub(crate) fn cube() -> Made<Subdivision> {
     Ok(Subdivision::from_polygons(points.map(Point::from).to_vec(), &faces)?)
 }
 
-/// A subdivision as a table with positions.
-pub(crate) fn table(plane: &Subdivision) -> Table {
-    let mut table = Table::from_view(plane);
-    for v in plane.vertices() {
-        if let Some(row) = &mut table.vertices[v.index()] {
-            let p = plane.point(v);
-            row.position = Some([p.x, p.y]);
-        }
-    }
-    table
-}
-
 /// The cube as somebody might hand it in: the edge v5-v6 is missing, v5-v7 is too much, the half-edge from v4 to v0
 /// goes back on its own twin, and v2 has slipped.
 pub(crate) fn wrong_cube() -> Made<Table> {
@@ -87,7 +75,7 @@ pub(crate) fn wrong_cube() -> Made<Table> {
     if let (Some(before), Some(after)) = (between(&cube, 4, 5), between(&cube, 6, 7)) {
         cube.split_face(cube.next(before), cube.next(after))?;
     }
-    let mut table = table(&cube);
+    let mut table = Table::from_planar_view(&cube);
     if let Some(h) = between(&cube, 4, 0)
         && let Some(row) = &mut table.half_edges[h.index()]
     {

@@ -26,6 +26,7 @@ use dcel_kit::script::Script;
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Platonic, Polyhedron};
 use dcel_kit::sources;
+use dcel_kit::topology::Table;
 use std::path::Path;
 
 /// What a figure of the project comes to. None of it depends on the user's input, so that a failure is the kit's own.
@@ -183,7 +184,7 @@ static REFERENCES: &[Reference] = references! {
 };
 
 fn difference() -> Made<String> {
-    let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
+    let (right, wrong) = (Table::from_planar_view(&lesson::cube()?), lesson::wrong_cube()?);
     let options = FigureOptions::new("What differs").id_prefix("difference").width(450.0);
     Ok(dcel_kit::compare::diff_figure(&right, &wrong, &options)?.to_svg())
 }

@@ -1,7 +1,6 @@
 //! The reference figure of the two primitives: vertex split and face split, before and after.
 
 use super::Made;
-use super::lesson::table;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::ids::{FaceId, HalfEdgeId, VertexId};
@@ -29,7 +28,7 @@ fn wheel() -> Made<Subdivision> {
 
 /// The structure after an edit of the kernel, with places for some vertices.
 fn drawn(before: &Subdivision, after: &Dcel, places: &[(VertexId, At)]) -> Table {
-    let positions = table(before);
+    let positions = Table::from_planar_view(before);
     let mut all = Table { outer_face: Some(FaceId::new(0)), ..Table::from_view(after) };
     for (row, old) in all.vertices.iter_mut().zip(&positions.vertices) {
         if let (Some(row), Some(old)) = (row, old) {

@@ -35,15 +35,14 @@ fn listed(Lab { name, manifest, .. }: &Lab) -> impl Serialize + use<> {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.json {
-        match &args.lab {
-            Some(name) => out.json(&listed(&lab(name)?))?,
+        return match &args.lab {
+            Some(name) => out.json(&listed(&lab(name)?)),
             None => {
                 let names = LabFiles::known_names();
                 let all = names.iter().map(|name| lab(name).map(|lab| listed(&lab)));
-                out.json(&all.collect::<Result<Vec<_>, _>>()?)?;
+                out.json(&all.collect::<Result<Vec<_>, _>>()?)
             }
-        }
-        return Ok(Answer::Yes);
+        };
     }
     let Some(name) = &args.lab else {
         let mut rows = Vec::new();

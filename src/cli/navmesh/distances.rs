@@ -1,9 +1,8 @@
 //! `dcel navmesh distances`: how far everything is from one place.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
 use super::super::output::{point as told, table};
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Snap, Wish};
 use super::extras::{CostArgs, LinkArgs};
@@ -125,8 +124,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         faces: field.faces_within(&map.mesh).map(|f| f.to_string()).collect::<Vec<_>>(),
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
     let count = answer.vertices.len();

@@ -1,7 +1,6 @@
 //! `dcel navmesh info`: what a map is, and what is wrong with it.
 
-use super::super::failure::Failure;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::drawing::{Drawing, save};
 use super::map::Map;
 use super::reading::{Draft, Input, MapArgs};

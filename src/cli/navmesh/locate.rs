@@ -1,9 +1,8 @@
 //! `dcel navmesh locate`: where points lie.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
 use super::super::output::table;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs};

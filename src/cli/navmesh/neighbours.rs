@@ -1,9 +1,8 @@
 //! `dcel navmesh neighbours`: what lies next to a face.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
 use super::super::output::table;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::reading::MapArgs;
 use super::tell::point;
 use dcel_kit::FaceId;
@@ -68,8 +67,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         sides,
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let open = answer.sides.iter().filter(|side| side.open).count();
     write!(out, "{f}: {} sides, {open} of them portals", answer.sides.len())?;

@@ -1,8 +1,7 @@
 //! `dcel navmesh path`: a way by one path algorithm, or by all of them.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish, choose_side};
 use super::extras::{Extras, Links};

@@ -2,8 +2,7 @@
 
 use super::super::answer::fields;
 use super::super::choice::whole;
-use super::super::failure::Failure;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::reading::{Input, MapArgs};
 use super::space;
 use std::io::Write;
@@ -44,8 +43,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     if args.json {
         let found = places.map(|place| fields! { point: map.in_file(place.point), face: place.face.to_string() });
-        out.json(&found.collect::<Vec<_>>())?;
-        return Ok(Answer::Yes);
+        return out.json(&found.collect::<Vec<_>>());
     }
     for place in places {
         let [x, y] = map.in_file(place.point);

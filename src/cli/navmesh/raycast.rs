@@ -1,8 +1,7 @@
 //! `dcel navmesh raycast`: the first wall on a straight line.
 
 use super::super::answer::fields;
-use super::super::failure::Failure;
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Snap, Wish};
 use super::map::Map;

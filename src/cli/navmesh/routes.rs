@@ -1,9 +1,9 @@
 //! Paths as they are told, of maps and of floors in space: one by one, compared, over links.
 
 use super::super::answer::fields;
-use super::super::failure::{Failure, say};
+use super::super::failure::say;
 use super::super::output::{point, table};
-use super::super::{Answer, Output};
+use super::super::{Answer, Failure, Output};
 use super::tell::faces;
 use dcel_kit::io::counted;
 use dcel_kit::navmesh::{PathAlgorithm, Work};

@@ -1,7 +1,7 @@
 //! `dcel navmesh scenario`: every query of a file against its stated length.
 
-use super::super::failure::{Failure, say};
-use super::super::{Answer, Output};
+use super::super::failure::say;
+use super::super::{Answer, Failure, Output};
 use super::ends::{Moves, Snap};
 use super::map::Map;
 use super::numbers::number;

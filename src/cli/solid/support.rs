@@ -57,8 +57,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.json {
         let (vertex, position) = (last.to_string(), solid.point(last));
         // The path has every vertex on the way, the first and the last included.
-        out.json(&fields! { vertex, position, path: names, vertices: solid.vertex_count() })?;
-        return Ok(Answer::Yes);
+        return out.json(&fields! { vertex, position, path: names, vertices: solid.vertex_count() });
     }
     writeln!(out, "{last} at {}", point(&solid.point(last)))?;
     writeln!(out, "  {} of {} vertices met: {}", names.len(), solid.vertex_count(), names.join(" "))?;

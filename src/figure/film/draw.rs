@@ -43,7 +43,7 @@ const MOST: usize = 12;
 
 /// All states of a film, placed on one canvas.
 pub(super) struct Stage<'a> {
-    pub(super) plates: Vec<Plate<'a, Table>>,
+    pub(super) plates: Vec<Plate<'a, dyn PlanarView + 'a>>,
     states: &'a [Table],
     /// The states as they are drawn.
     placed: &'a [Placed],
@@ -72,7 +72,7 @@ impl<'a> Stage<'a> {
     pub(super) fn new(
         states: &'a [Table],
         placed: &'a [Placed],
-        union: &'a Table,
+        union: &'a dyn PlanarView,
         options: &'a FigureOptions,
     ) -> Result<Self, FigureError> {
         let (whole, _) = Picture::new(union, options)?;
@@ -81,7 +81,7 @@ impl<'a> Stage<'a> {
         }
         let mut plates = Vec::with_capacity(placed.len());
         for Placed { table: state, .. } in placed {
-            let (mut picture, _) = Picture::new(state, options)?;
+            let (mut picture, _) = Picture::<dyn PlanarView>::new(state, options)?;
             (picture.fit, picture.detail) = (whole.fit, whole.detail);
             for v in vertices(state) {
                 let at = state.position(v).map(|p| whole.fit.place(p));
@@ -299,7 +299,7 @@ fn merge(table: &mut Table, [h, twin]: [HalfEdgeId; 2], [gone, kept]: [FaceId; 2
 }
 
 /// The discs of vertices that another state has and this one has not: labels keep clear of them, too.
-fn foreign_discs(other: &Table, state: &Table, whole: &Picture<'_, Table>) -> Vec<Shape> {
+fn foreign_discs(other: &Table, state: &Table, whole: &Picture<'_, dyn PlanarView + '_>) -> Vec<Shape> {
     let foreign = vertices(other).filter(|&v| !state.has_vertex(v));
     let places = foreign.filter_map(|v| other.position(v)).map(|p| whole.fit.place(p));
     places.map(|at| Shape::Disc(at, whole.options.style.vertex_radius + 1.5)).collect()
@@ -323,7 +323,7 @@ fn with_removed(frame: &Frame) -> Table {
 }
 
 /// The next pointers that stay, then those that have gone, then the new ones.
-fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
+fn arrows(plate: &Plate<'_, dyn PlanarView + '_>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
     let is_new = |slot: Slot| frame.written.iter().any(|w| w.fate == Fate::New && w.slot == slot);
     let visible = |h: HalfEdgeId| look.half_edge(h) != Mark::Hidden;
     let stays = |h: &HalfEdgeId| {
@@ -364,7 +364,13 @@ fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look, placed: &Placed)
 }
 
 /// The next pointer of a bent half-edge, or to one: beside the pieces between the two.
-fn bent_next(plate: &Plate<'_, Table>, view: &Table, pointer: Pointer, placed: &Placed, look: &Look) -> Option<Node> {
+fn bent_next(
+    plate: &Plate<'_, dyn PlanarView + '_>,
+    view: &Table,
+    pointer: Pointer,
+    placed: &Placed,
+    look: &Look,
+) -> Option<Node> {
     let Pointer::Next(h) = pointer else { return None };
     if placed.pieces.is_empty() {
         return None;

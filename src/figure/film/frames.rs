@@ -115,9 +115,9 @@ pub struct Frame {
 
 impl Film {
     /// A film that begins with this structure.
-    pub fn new<V: PlanarView + ?Sized>(start: &V) -> Self {
+    pub fn new(start: &dyn PlanarView) -> Self {
         let mut film = Self::empty();
-        film.states.push(snapshot(start));
+        film.states.push(Table::from_planar_view(start));
         film
     }
 
@@ -166,8 +166,8 @@ impl Film {
     }
 
     /// Appends a state with positions.
-    pub(super) fn add_planar<V: PlanarView + ?Sized>(&mut self, state: &V) {
-        self.states.push(snapshot(state));
+    pub(super) fn add_planar(&mut self, state: &dyn PlanarView) {
+        self.states.push(Table::from_planar_view(state));
     }
 
     /// Appends a state without coordinates, laid out like the one before as far as it can be.
@@ -204,14 +204,7 @@ impl Film {
 
     /// Appends an edit: the call, a sentence for the frame before it (may be empty), elements to be marked, what
     /// was recorded, and the structure it led to.
-    pub fn edit<V: PlanarView + ?Sized>(
-        &mut self,
-        title: &str,
-        caption: &str,
-        marked: &[Element],
-        journal: &Journal,
-        after: &V,
-    ) {
+    pub fn edit(&mut self, title: &str, caption: &str, marked: &[Element], journal: &Journal, after: &dyn PlanarView) {
         self.add_shot(title, caption, marked, journal);
         self.add_planar(after);
     }
@@ -437,17 +430,6 @@ fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize;
         before: table.clone(),
         ..Frame::default()
     }
-}
-
-/// A copy of all pointers and positions.
-pub(super) fn snapshot<V: PlanarView + ?Sized>(view: &V) -> Table {
-    let mut table = Table::from_view(view);
-    for (i, row) in table.vertices.iter_mut().enumerate() {
-        if let Some(row) = row {
-            row.position = view.position(VertexId::new(i as u32)).map(|p| [p.x, p.y]);
-        }
-    }
-    table
 }
 
 fn place(table: &mut Table, v: VertexId, from: &Table) {

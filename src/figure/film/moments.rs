@@ -26,16 +26,21 @@ pub(super) struct Moment {
     pub(super) changes: Vec<Change>,
 }
 
-/// What belongs together in a step.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
-    Added,
-    Origin,
-    Next,
-    Face,
-    Outgoing,
-    HalfEdge,
-    Removed,
+crate::named! {
+    /// What belongs together in a step.
+    #[derive(Clone, Copy, PartialEq, Eq)]
+    enum Part {
+        Added = "what is new",
+        Origin = "origin",
+        Next = "next",
+        Face = "face",
+        Outgoing = "outgoing",
+        HalfEdge = "half-edge of a face",
+        Removed = "what goes",
+    }
+
+    /// What it is called.
+    fn name;
 }
 
 impl Part {
@@ -52,18 +57,6 @@ impl Part {
                 Slot::Outgoing(_) => Self::Outgoing,
                 Slot::HalfEdge(_) => Self::HalfEdge,
             },
-        }
-    }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Added => "what is new",
-            Self::Origin => "origin",
-            Self::Next => "next",
-            Self::Face => "face",
-            Self::Outgoing => "outgoing",
-            Self::HalfEdge => "half-edge of a face",
-            Self::Removed => "what goes",
         }
     }
 }

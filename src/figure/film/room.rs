@@ -46,7 +46,7 @@ impl Film {
             return Ok(None);
         }
         let whole = union(&self.placed().0);
-        let detail = Picture::new(&whole, options)?.0.detail;
+        let detail = Picture::<dyn PlanarView>::new(&whole, options)?.0.detail;
         let near = self.near();
         if detail >= Detail::Arrows || half_edges(&whole).count() > 2 * MOST || near.is_empty() {
             return Ok(None);
@@ -60,7 +60,7 @@ impl Film {
         options.detail = Some(Detail::Full);
         let (placed, _) = film.placed();
         let whole = union(&placed);
-        let scale = Picture::new(&whole, options)?.0.fit.scale;
+        let scale = Picture::<dyn PlanarView>::new(&whole, options)?.0.fit.scale;
         let is_near = |v: VertexId| near.contains(&Element::Vertex(v));
         let mut lengths = Vec::new();
         let mut unnamed = BTreeSet::new();

@@ -17,7 +17,7 @@ use crate::figure::flatten::{Names, Placed};
 use crate::figure::structure::arrows::head;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::plate::Plate;
-use crate::topology::Table;
+use crate::plane::PlanarView;
 use std::fmt::Write;
 
 /// The classes of the colours, one after the other.
@@ -34,7 +34,7 @@ fn letter(number: usize) -> String {
 }
 
 /// The sides that are shown.
-pub(super) fn nodes(plate: &Plate<'_, Table>, placed: &Placed, look: &Look) -> Vec<Node> {
+pub(super) fn nodes(plate: &Plate<'_, dyn PlanarView + '_>, placed: &Placed, look: &Look) -> Vec<Node> {
     let shown = placed.sides.iter().filter(|(h, _)| look.half_edge(*h) != Mark::Hidden);
     let side = |&(h, number): &(_, usize)| {
         let (from, to) = plate.skeleton().segment(h)?;

@@ -10,7 +10,6 @@
 //!   ━━ legend                   what the marks mean: of a strip once, else a legend in each frame
 //! ```
 
-use super::frames::snapshot;
 use super::reel::Reel;
 use super::sheet::Caption;
 use crate::figure::canvas::scene::{Group, Node};
@@ -94,16 +93,16 @@ impl SketchFilm {
     }
 
     /// Adds a frame with a sketch over a structure as it is now.
-    pub fn over<V: PlanarView + ?Sized>(
+    pub fn over(
         &mut self,
         heading: &str,
         text: &str,
-        view: &V,
+        view: &dyn PlanarView,
         backdrop: Backdrop,
         sketch: Sketch,
     ) -> &mut Self {
         let caption = (heading.to_owned(), text.to_owned());
-        self.frames.push(SketchFrame { caption, under: Some((snapshot(view), backdrop)), sketch });
+        self.frames.push(SketchFrame { caption, under: Some((Table::from_planar_view(view), backdrop)), sketch });
         self
     }
 

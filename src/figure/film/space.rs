@@ -16,7 +16,7 @@ use crate::figure::structure::look::Mark;
 use crate::figure::structure::part::Part;
 use crate::figure::structure::picture::Picture;
 use crate::figure::{Detail, FigureError, FigureOptions};
-use crate::plane::Point;
+use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
 
 /// The scene of one frame, what is drawn in each, and with how much detail.
@@ -29,8 +29,8 @@ pub(super) fn draw(
     let points: Vec<Point> = shown.iter().flat_map(Shown::points).collect();
     let mut best: Option<(Fit, Detail)> = None;
     for state in &shown {
-        let part = Part::new(&state.projected, &state.faces)?;
-        let (fit, detail) = Picture::survey(&part, options, points.clone())?.choose(options);
+        let part: &dyn PlanarView = &Part::new(&state.projected, &state.faces)?;
+        let (fit, detail) = Picture::survey(part, options, points.clone())?.choose(options);
         let is_better =
             |(known, least): &(Fit, Detail)| detail < *least || (detail == *least && fit.scale > known.scale);
         if best.as_ref().is_none_or(is_better) {
@@ -47,8 +47,8 @@ pub(super) fn draw(
         }
         let canvas = Canvas::new(fit, options);
         let mut drawing = Drawing::new(sketch, &canvas);
-        let part = Part::new(projected, faces)?;
-        let (picture, notes) = Picture::survey(&part, options, points.clone())?.place(&part, options, fit, detail);
+        let part: &dyn PlanarView = &Part::new(projected, faces)?;
+        let (picture, notes) = Picture::survey(part, options, points.clone())?.place(part, options, fit, detail);
         let mut below = sketch::Below::new(picture, notes, &look, &drawing.ink());
         let lines = drawing.nodes(&mut below.crowd, options.style.map_text, 1, &format!("{i}-"));
         drawings.push(Backdrop::InFront.layers(below.nodes, lines));

@@ -26,7 +26,6 @@ use crate::figure::structure::skeleton::destination;
 use crate::figure::{Detail, Figure, FigureError, FigureOptions};
 use crate::ids::HalfEdgeId;
 use crate::plane::PlanarView;
-use crate::topology::View;
 
 /// Where the twin arrow stands, so that the face arrow has the middle.
 pub(crate) const TWIN_AT: f64 = 0.36;
@@ -51,13 +50,13 @@ const ASIDE: f64 = 324.0;
 /// # Errors
 /// Those of [`pointers`](crate::figure::pointers), [`FigureError::NoHalfEdge`], and [`FigureError::NotDrawn`] if the face of
 /// `h` is not among those to be drawn.
-pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
+pub fn focus(view: &dyn PlanarView, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
     if !view.has_half_edge(h) {
         let bound = view.half_edge_bound();
         let count = (0..bound as u32).filter(|&h| view.has_half_edge(HalfEdgeId(h))).count();
         return Err(FigureError::NoHalfEdge { half_edge: h, count, bound });
     }
-    let view = &Part::of(view, options)?;
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     if !view.has_half_edge(h) {
         return Err(FigureError::NotDrawn { element: h.into() });
     }

@@ -46,14 +46,14 @@ const SMALLEST: f64 = 10.0;
 /// assert!(!svg.contains("id=\"kite-z-v0\""), "that corner is far away");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn inset<V: PlanarView + ?Sized>(
-    view: &V,
+pub fn inset(
+    view: &dyn PlanarView,
     corners: Option<[[f64; 2]; 2]>,
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.crop = None;
-    let view = &Part::of(view, &options)?;
+    let view: &dyn PlanarView = &Part::of(view, &options)?;
     let (picture, mut notes) = Picture::new(view, &options)?;
     let (fit, detail) = (picture.fit, picture.detail);
     let mut scene = picture.scene(Vec::new());
@@ -110,7 +110,7 @@ fn outline(b: Bounds) -> [Node; 4] {
 }
 
 /// The surroundings of the shortest edge that has a length.
-fn around_shortest<V: PlanarView + ?Sized>(view: &V) -> Option<[[f64; 2]; 2]> {
+fn around_shortest(view: &dyn PlanarView) -> Option<[[f64; 2]; 2]> {
     let ends = |h| Some((view.position(view.origin(h)?)?, view.position(destination(view, h)?)?));
     let length = |a: Point, b: Point| (b.x - a.x).abs().max((b.y - a.y).abs());
     let edges = half_edges(view).filter_map(ends).filter(|&(a, b)| length(a, b) > 0.0);

@@ -40,12 +40,8 @@ use crate::plane::PlanarView;
 /// assert!(svg.contains("id=\"lab-next-h0-next\"") && svg.contains("id=\"lab-twin-h0-twin\""));
 /// # Ok::<(), figure::FigureError>(())
 /// ```
-pub fn pointers<V: PlanarView + ?Sized>(
-    view: &V,
-    families: &[Pointers],
-    options: &FigureOptions,
-) -> Result<Figure, FigureError> {
-    let view = &Part::of(view, options)?;
+pub fn pointers(view: &dyn PlanarView, families: &[Pointers], options: &FigureOptions) -> Result<Figure, FigureError> {
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     let mut options = options.checked();
     options.usual_width = PANEL;
     options.widest = SHEET;
@@ -65,7 +61,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
     for &family in &families {
         let look = if families.len() == 1 { Look::default() } else { Look::instance(family.class()) };
         let look = look.rest(Mark::Dim);
-        let arrows = plate.pointers(view, &Plate::<Part<V>>::family(view, family), &look, 0.5, &mut notes);
+        let arrows = plate.pointers(view, &Plate::<dyn PlanarView>::family(view, family), &look, 0.5, &mut notes);
         panels.push(Panel {
             heading: family.name().to_owned(),
             text: family.sentence().to_owned(),

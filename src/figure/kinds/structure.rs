@@ -27,9 +27,9 @@ use crate::plane::PlanarView;
 /// # Errors
 /// [`FigureError`] if no vertex has a position, or a coordinate cannot be computed with. An empty plane is no
 /// error: it shows its outer face.
-pub fn structure<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
+pub fn structure(view: &dyn PlanarView, options: &FigureOptions) -> Result<Figure, FigureError> {
     let options = &options.checked();
-    let view = &Part::of(view, options)?;
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     let (picture, mut notes) = Picture::new(view, options)?;
     let detail = picture.detail;
     if detail >= Detail::Edges {

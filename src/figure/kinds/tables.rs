@@ -51,12 +51,12 @@ const NAME: usize = 24;
 /// assert!(svg.contains("id=\"lab-row-h2\""));
 /// # Ok::<(), figure::FigureError>(())
 /// ```
-pub fn tables<V: PlanarView + ?Sized>(
-    view: &V,
+pub fn tables(
+    view: &dyn PlanarView,
     highlight: Option<Element>,
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
-    let view = &Part::of(view, options)?;
+    let view: &dyn PlanarView = &Part::of(view, options)?;
     let mut options = options.checked();
     options.usual_width = 520.0;
     options.style.face_text = options.style.face_text.min(14.0);
@@ -109,7 +109,7 @@ fn corners(picture: Xy, [half_edges, vertices, faces]: [Xy; 3], page: f64) -> [X
 }
 
 /// The marked element bold, the half-edges grey beside it.
-fn look<V: PlanarView + ?Sized>(view: &V, highlight: Option<Element>) -> Result<Look, FigureError> {
+fn look(view: &dyn PlanarView, highlight: Option<Element>) -> Result<Look, FigureError> {
     let Some(element) = highlight else { return Ok(Look::default()) };
     let mut look = Look::default().rest(Mark::Dim);
     match element {
@@ -129,7 +129,7 @@ fn look<V: PlanarView + ?Sized>(view: &V, highlight: Option<Element>) -> Result<
 struct Names(BTreeMap<Element, String>);
 
 impl Names {
-    fn of<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Self {
+    fn of(view: &dyn PlanarView, options: &FigureOptions) -> Self {
         let labelled =
             |id: Element, label: Option<&str>| Some((id, label.filter(|l| !l.trim().is_empty())?.to_owned()));
         let vertices = vertices(view).filter_map(|v| labelled(v.into(), options.overrides.label_of(v)));
@@ -165,7 +165,7 @@ fn word<I: std::fmt::Display>(id: Option<I>) -> String {
     id.map_or_else(|| "–".to_owned(), |id| id.to_string())
 }
 
-fn half_edge_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
+fn half_edge_table(view: &dyn PlanarView, names: &Names) -> Words {
     let row = |h| {
         let pointers = [word(view.twin(h)), word(view.next(h)), word(view.prev(h)), word(view.face(h))];
         [h.to_string(), word(view.origin(h))].into_iter().chain(pointers).collect()
@@ -176,7 +176,7 @@ fn half_edge_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
     table
 }
 
-fn vertex_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
+fn vertex_table(view: &dyn PlanarView, names: &Names) -> Words {
     let row = |v| {
         let at = view.position(v);
         let coordinate = |axis: Option<f64>| axis.map_or_else(|| "–".to_owned(), number::model);
@@ -188,7 +188,7 @@ fn vertex_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
     table
 }
 
-fn face_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
+fn face_table(view: &dyn PlanarView, names: &Names) -> Words {
     let ring = |ring: &InnerComponent| match ring {
         InnerComponent::Cycle(h) => h.to_string(),
         InnerComponent::Isolated(v) => v.to_string(),

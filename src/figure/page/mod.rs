@@ -63,7 +63,7 @@ impl Page {
 ///
 /// # Errors
 /// Those of [`structure`](structure()).
-pub fn page<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Page, FigureError> {
+pub fn page(view: &dyn PlanarView, options: &FigureOptions) -> Result<Page, FigureError> {
     let options = options.clone().interactive(true);
     let figure = structure(view, &options)?;
     let drawn = figure.scene.nodes.iter().filter_map(|node| match node {
@@ -82,8 +82,8 @@ fn names<'a, I: Id + 'a>(ids: impl Iterator<Item = I> + 'a) -> impl Iterator<Ite
     ids.take(ROWS).map(|id| id.to_string())
 }
 
-struct Tables<'a, V: ?Sized> {
-    view: &'a V,
+struct Tables<'a> {
+    view: &'a dyn PlanarView,
     options: &'a FigureOptions,
     prefix: String,
     /// What the picture shows one by one.
@@ -102,7 +102,7 @@ struct Target {
     place: Option<String>,
 }
 
-impl<V: PlanarView + ?Sized> Tables<'_, V> {
+impl Tables<'_> {
     fn document(&self, figure: &Figure) -> String {
         let prefix = &self.prefix;
         let title = escaped(&self.options.title);

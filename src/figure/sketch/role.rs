@@ -14,61 +14,39 @@ use crate::figure::canvas::number::drawn;
 use crate::figure::canvas::style::{Colour, Palette};
 use std::fmt::Write;
 
-/// What a thing is for.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-#[non_exhaustive]
-pub enum Role {
-    /// Walls, sites, sweep lines: what the picture is made of. Ink.
-    #[default]
-    Plain,
-    /// What the picture is about: the path, the result. Blue.
-    Main,
-    /// What the main thing is compared with or made from: portals, the dual. Orange, long dashes.
-    Secondary,
-    /// Where something begins. Green, dashes and dots; a triangle.
-    Start,
-    /// Where it is to end. Purple, short dashes; a star.
-    Goal,
-    /// Where something happens: a sweep's events, a funnel's corners. Ochre, dots; a diamond.
-    Event,
-    /// What is as it should be. Green, very long dashes; a tick.
-    Right,
-    /// What is not as it should be. Red, short dashes; a cross.
-    Wrong,
-    /// What is there, but not looked at. Grey.
-    Dimmed,
+crate::named! {
+    /// What a thing is for.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+    #[non_exhaustive]
+    pub enum Role {
+        /// Walls, sites, sweep lines: what the picture is made of. Ink.
+        #[default]
+        Plain = "r-plain",
+        /// What the picture is about: the path, the result. Blue.
+        Main = "r-main",
+        /// What the main thing is compared with or made from: portals, the dual. Orange, long dashes.
+        Secondary = "r-secondary",
+        /// Where something begins. Green, dashes and dots; a triangle.
+        Start = "r-start",
+        /// Where it is to end. Purple, short dashes; a star.
+        Goal = "r-goal",
+        /// Where something happens: a sweep's events, a funnel's corners. Ochre, dots; a diamond.
+        Event = "r-event",
+        /// What is as it should be. Green, very long dashes; a tick.
+        Right = "r-right",
+        /// What is not as it should be. Red, short dashes; a cross.
+        Wrong = "r-wrong",
+        /// What is there, but not looked at. Grey.
+        Dimmed = "r-dimmed",
+    }
+
+    /// The class of everything in this role.
+    fn class;
+    /// All of them.
+    const ALL;
 }
 
 impl Role {
-    /// All of them.
-    pub const ALL: [Self; 9] = [
-        Self::Plain,
-        Self::Main,
-        Self::Secondary,
-        Self::Start,
-        Self::Goal,
-        Self::Event,
-        Self::Right,
-        Self::Wrong,
-        Self::Dimmed,
-    ];
-
-    /// The class of everything in this role.
-    #[must_use]
-    pub const fn class(self) -> &'static str {
-        match self {
-            Self::Plain => "r-plain",
-            Self::Main => "r-main",
-            Self::Secondary => "r-secondary",
-            Self::Start => "r-start",
-            Self::Goal => "r-goal",
-            Self::Event => "r-event",
-            Self::Right => "r-right",
-            Self::Wrong => "r-wrong",
-            Self::Dimmed => "r-dimmed",
-        }
-    }
-
     /// The mark of its points.
     #[must_use]
     pub const fn glyph(self) -> Glyph {

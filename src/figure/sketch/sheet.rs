@@ -148,7 +148,7 @@ impl<'a> Drawing<'a> {
         let mut notes = Notes::default();
         missing.sort_by_key(|&(reason, _)| reason);
         for same in missing.chunk_by(|a, b| a.0 == b.0) {
-            notes.add_words(same[0].0, same.iter().map(|(_, name)| name.clone()));
+            notes.add_words(same[0].0, &mut same.iter().map(|(_, name)| name.clone()));
         }
         Self { sketch, frame: canvas.frame, drawn, bulk, notes }
     }
@@ -215,7 +215,7 @@ impl<'a> Drawing<'a> {
                 }
             }
         }
-        self.notes.add_words("no room for the words of", homeless.into_iter());
+        self.notes.add_words("no room for the words of", &mut homeless.into_iter());
         out
     }
 
@@ -322,13 +322,13 @@ impl Sketch {
     ///
     /// # Errors
     /// [`SketchError`]: a coordinate of the sketch, or what [`structure`](crate::figure::structure()) refuses.
-    pub fn over<V: PlanarView + ?Sized>(
+    pub fn over(
         &self,
-        view: &V,
+        view: &dyn PlanarView,
         backdrop: Backdrop,
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
-        let view = &Part::of(view, options)?;
+        let view: &dyn PlanarView = &Part::of(view, options)?;
         check(self)?;
         let options = &options.checked();
         let survey = Picture::survey(view, options, extent(self))?;

@@ -79,6 +79,9 @@ fn bounds(at: Xy, size: f64, width: f64, lines: usize) -> Bounds {
     Bounds::around(at, 0.5 * width * size, height)
 }
 
+/// What stands in the way of a text.
+type Blocker<'a> = &'a dyn Fn(&Bounds) -> Option<Shape>;
+
 impl Caption {
     fn new(lines: Vec<String>) -> Self {
         Self { width: width(&lines), lines, least: None }
@@ -142,29 +145,23 @@ impl Caption {
         region: &Region,
         sizes: Sizes,
         obstacles: &[Shape],
-        blocker: impl Fn(&Bounds) -> Option<Shape>,
+        blocker: Blocker<'_>,
     ) -> Option<Label> {
-        let whole = self.place_whole(region, sizes, obstacles, &blocker);
+        let whole = self.place_whole(region, sizes, obstacles, blocker);
         whole.or_else(|| {
             let cuts = CUTS.into_iter().map(|longest| self.shortened(longest)).filter(|short| short != self);
             let least = self.least.iter().map(|text| Self::new(vec![text.clone()]));
-            let mut placed = cuts.chain(least).map(|short| short.place_whole(region, sizes, obstacles, &blocker));
+            let mut placed = cuts.chain(least).map(|short| short.place_whole(region, sizes, obstacles, blocker));
             placed.find_map(|label| label)
         })
     }
 
-    fn place_whole(
-        &self,
-        region: &Region,
-        sizes: Sizes,
-        obstacles: &[Shape],
-        blocker: impl Fn(&Bounds) -> Option<Shape>,
-    ) -> Option<Label> {
-        let one = self.place_lines(region, sizes, obstacles.to_vec(), &blocker);
+    fn place_whole(&self, region: &Region, sizes: Sizes, obstacles: &[Shape], blocker: Blocker<'_>) -> Option<Label> {
+        let one = self.place_lines(region, sizes, obstacles.to_vec(), blocker);
         if one.as_ref().is_some_and(|label| label.size >= sizes.largest) {
             return one;
         }
-        let two = self.in_two_lines().and_then(|two| two.place_lines(region, sizes, obstacles.to_vec(), &blocker));
+        let two = self.in_two_lines().and_then(|two| two.place_lines(region, sizes, obstacles.to_vec(), blocker));
         let size = |label: &Option<Label>| label.as_ref().map_or(0.0, |label| label.size);
         if size(&two) > size(&one) { two } else { one }
     }
@@ -174,7 +171,7 @@ impl Caption {
         region: &Region,
         sizes: Sizes,
         mut obstacles: Vec<Shape>,
-        blocker: impl Fn(&Bounds) -> Option<Shape>,
+        blocker: Blocker<'_>,
     ) -> Option<Label> {
         let (shape, squeeze) = (self.shape(), self.squeeze());
         let enough = 1.45 * sizes.largest * shape.y;

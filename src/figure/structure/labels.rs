@@ -197,10 +197,10 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             }
             let obstacles = self.obstacles(region, caption, crowd);
             let is_full = |label: &Label| label.size >= largest;
-            if small && caption.place(region, sizes, &obstacles, |_| None).as_ref().is_none_or(is_full) {
+            if small && caption.place(region, sizes, &obstacles, &|_| None).as_ref().is_none_or(is_full) {
                 continue;
             }
-            *out = caption.place(region, sizes, &obstacles, |bounds| crowd.blocker(bounds));
+            *out = caption.place(region, sizes, &obstacles, &|bounds| crowd.blocker(bounds));
             if let Some(label) = out {
                 crowd.add(Shape::Box(label.bounds()), region.face.number());
             }

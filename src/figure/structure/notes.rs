@@ -8,11 +8,11 @@ pub(crate) struct Notes(pub(crate) Vec<String>);
 
 impl Notes {
     pub(crate) fn add<I: Id>(&mut self, what: &str, elements: impl Iterator<Item = I>) {
-        self.add_words(what, elements.map(|element| element.to_string()));
+        self.add_words(what, &mut elements.map(|element| element.to_string()));
     }
 
     /// At most ten names are written out.
-    pub(crate) fn add_words(&mut self, what: &str, words: impl Iterator<Item = String>) {
+    pub(crate) fn add_words(&mut self, what: &str, words: &mut dyn Iterator<Item = String>) {
         let mut names = Vec::new();
         let mut more = 0;
         for word in words {

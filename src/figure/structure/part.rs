@@ -13,8 +13,8 @@ use crate::plane::{PlanarView, Point};
 use crate::topology::{InnerComponent, View};
 
 /// What is drawn of a view: some faces, or all of it.
-pub(crate) struct Part<'a, V: ?Sized> {
-    whole: &'a V,
+pub(crate) struct Part<'a> {
+    whole: &'a dyn PlanarView,
     chosen: Option<Chosen>,
 }
 
@@ -24,12 +24,12 @@ struct Chosen {
     vertices: VertexMap<bool>,
 }
 
-impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
+impl<'a> Part<'a> {
     /// What the options choose of the view.
     ///
     /// # Errors
     /// [`FigureError::UnknownFace`].
-    pub(crate) fn of(whole: &'a V, options: &FigureOptions) -> Result<Self, FigureError> {
+    pub(crate) fn of(whole: &'a dyn PlanarView, options: &FigureOptions) -> Result<Self, FigureError> {
         options.faces.as_ref().map_or(Ok(Self { whole, chosen: None }), |chosen| Self::new(whole, chosen))
     }
 
@@ -37,7 +37,7 @@ impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
     ///
     /// # Errors
     /// [`FigureError::UnknownFace`].
-    pub(crate) fn new(whole: &'a V, chosen: &[FaceId]) -> Result<Self, FigureError> {
+    pub(crate) fn new(whole: &'a dyn PlanarView, chosen: &[FaceId]) -> Result<Self, FigureError> {
         let mut faces = FaceMap::filled(whole.face_bound(), false);
         let mut kept = VertexMap::filled(whole.vertex_bound(), false);
         for &face in chosen {
@@ -63,7 +63,7 @@ impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
     }
 }
 
-impl<V: PlanarView + ?Sized> View for Part<'_, V> {
+impl View for Part<'_> {
     fn vertex_bound(&self) -> usize {
         self.whole.vertex_bound()
     }
@@ -117,7 +117,7 @@ impl<V: PlanarView + ?Sized> View for Part<'_, V> {
     }
 }
 
-impl<V: PlanarView + ?Sized> PlanarView for Part<'_, V> {
+impl PlanarView for Part<'_> {
     fn position(&self, v: VertexId) -> Option<Point> {
         self.whole.position(v).filter(|_| self.chosen.is_none() || self.has_vertex(v))
     }

@@ -173,7 +173,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         let bounded = |region: &Region| self.view.outer_face() != Some(region.face);
         let captions = captions(regions, self.options);
         let label = |(region, caption): (&Region, &Option<Caption>)| {
-            caption.as_ref().filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], |_| None)
+            caption.as_ref().filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], &|_| None)
         };
         let labels: Vec<Option<Label>> = regions.iter().zip(&captions).map(label).collect();
         let mut crowd = Crowd::new(self.fit.size);

@@ -15,38 +15,30 @@ use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin, vertice
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
 
-/// A kind of pointer. `prev` is none of them: it is `next` read backwards.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[non_exhaustive]
-pub enum Pointers {
-    /// From every half-edge to the one after it along its face.
-    Next,
-    /// Between the two halves of every edge.
-    Twin,
-    /// From every vertex to the half-edge it knows.
-    Outgoing,
-    /// From every face to the half-edge it knows.
-    Boundary,
-    /// From every half-edge to its face.
-    Face,
+crate::named! {
+    /// A kind of pointer. `prev` is none of them: it is `next` read backwards.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+    #[non_exhaustive]
+    pub enum Pointers {
+        /// From every half-edge to the one after it along its face.
+        Next = "next",
+        /// Between the two halves of every edge.
+        Twin = "twin",
+        /// From every vertex to the half-edge it knows.
+        Outgoing = "outgoing",
+        /// From every face to the half-edge it knows.
+        Boundary = "boundary",
+        /// From every half-edge to its face.
+        Face = "face-of",
+    }
+
+    /// The class of their arrows, and what ids of arrows end with.
+    fn class;
+    /// All of them, in the order of a lesson.
+    const ALL;
 }
 
 impl Pointers {
-    /// All of them, in the order of a lesson.
-    pub const ALL: [Self; 5] = [Self::Next, Self::Twin, Self::Outgoing, Self::Boundary, Self::Face];
-
-    /// The class of their arrows, and what ids of arrows end with.
-    #[must_use]
-    pub const fn class(self) -> &'static str {
-        match self {
-            Self::Next => "next",
-            Self::Twin => "twin",
-            Self::Outgoing => "outgoing",
-            Self::Boundary => "boundary",
-            Self::Face => "face-of",
-        }
-    }
-
     const fn classes(self) -> (&'static str, &'static str) {
         let both = match self {
             Self::Next => "ptr next",
@@ -159,8 +151,8 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
                 ..Group::default()
             }));
         }
-        notes.add_words("without room for an arrow", without.into_iter());
-        notes.add_words("leading to what is not drawn", outside.into_iter());
+        notes.add_words("without room for an arrow", &mut without.into_iter());
+        notes.add_words("leading to what is not drawn", &mut outside.into_iter());
         out
     }
 

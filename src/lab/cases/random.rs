@@ -29,6 +29,18 @@ impl Random {
         from.get(self.below(from.len()))
     }
 
+    /// So many different points with whole coordinates from 0 up to `size`.
+    pub fn places(&mut self, count: usize, size: usize) -> Vec<[f64; 2]> {
+        let mut all: Vec<[f64; 2]> = Vec::new();
+        while all.len() < count {
+            let p = [self.below(size) as f64, self.below(size) as f64];
+            if !all.contains(&p) {
+                all.push(p);
+            }
+        }
+        all
+    }
+
     /// The numbers below `count` in some order (Fisher and Yates).
     pub fn order(&mut self, count: usize) -> Vec<usize> {
         let mut order: Vec<usize> = (0..count).collect();

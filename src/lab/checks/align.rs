@@ -22,45 +22,32 @@ pub struct New {
     pub faces: Vec<FaceId>,
 }
 
-/// A pointer of a record, or another of its fields.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Field {
-    /// Where a half-edge starts.
-    Origin,
-    /// The other half.
-    Twin,
-    /// The half-edge after it.
-    Next,
-    /// The half-edge before it.
-    Prev,
-    /// The face on its left.
-    Face,
-    /// A half-edge that starts at a vertex.
-    Outgoing,
-    /// Where a vertex is.
-    Position,
-    /// A half-edge of a face.
-    Boundary,
-    /// Which face is the outer one.
-    OuterFace,
-}
-
-impl Field {
-    /// Its name in the protocol.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Origin => "origin",
-            Self::Twin => "twin",
-            Self::Next => "next",
-            Self::Prev => "prev",
-            Self::Face => "face",
-            Self::Outgoing => "outgoing",
-            Self::Position => "position",
-            Self::Boundary => "half_edge",
-            Self::OuterFace => "outer_face",
-        }
+dcel_kit::named! {
+    /// A pointer of a record, or another of its fields.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+    pub enum Field {
+        /// Where a half-edge starts.
+        Origin = "origin",
+        /// The other half.
+        Twin = "twin",
+        /// The half-edge after it.
+        Next = "next",
+        /// The half-edge before it.
+        Prev = "prev",
+        /// The face on its left.
+        Face = "face",
+        /// A half-edge that starts at a vertex.
+        Outgoing = "outgoing",
+        /// Where a vertex is.
+        Position = "position",
+        /// A half-edge of a face.
+        Boundary = "half_edge",
+        /// Which face is the outer one.
+        OuterFace = "outer_face",
     }
+
+    /// Its name in the protocol.
+    fn word;
 }
 
 /// A field that is not as it should be. Elements are named as in the student's structure.

@@ -81,31 +81,25 @@ pub fn texts_of(build: KitBuild, packages: &[(Package, &'static Texts)]) -> Sour
     packages.iter().flat_map(of).collect()
 }
 
-/// A package of the kit.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Package {
-    /// `dcel-kit`, the library.
-    Kit,
-    /// `dcel-lab`, the engine of the labs.
-    Lab,
-    /// `dcel`, the program.
-    Program,
+dcel_kit::named! {
+    /// A package of the kit.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+    pub enum Package {
+        /// `dcel-kit`, the library.
+        Kit = "dcel-kit",
+        /// `dcel-lab`, the engine of the labs.
+        Lab = "dcel-lab",
+        /// `dcel`, the program.
+        Program = "dcel",
+    }
+
+    /// As it is published.
+    fn name;
+    /// All, each after those that it needs.
+    const ALL;
 }
 
 impl Package {
-    /// All, each after those that it needs.
-    pub const ALL: [Self; 3] = [Self::Kit, Self::Lab, Self::Program];
-
-    /// As it is published.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Kit => "dcel-kit",
-            Self::Lab => "dcel-lab",
-            Self::Program => "dcel",
-        }
-    }
-
     /// Its folder in a checkout, with a `/` at the end unless it is the root.
     #[must_use]
     pub fn folder(self) -> &'static str {
@@ -149,34 +143,29 @@ const GRADE_AND_LABS: &[&str] = &[
     "lab-11",
 ];
 
-/// A build of the kit whose sources are carried along.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum KitBuild {
-    /// What the graded tests in a student's folder need.
-    Check,
-    /// The program: for a grader elsewhere.
-    Program,
+dcel_kit::named! {
+    /// A build of the kit whose sources are carried along.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+    pub enum KitBuild {
+        /// What the graded tests in a student's folder need.
+        Check = "src/lab/kit",
+        /// The program: for a grader elsewhere.
+        Program = "src/cli/lab/kit",
+    }
+
+    /// Where its manifests and its versions are in a checkout.
+    fn folder;
+    /// Both, the smaller one first.
+    const ALL;
 }
 
 impl KitBuild {
-    /// Both, the smaller one first.
-    pub const ALL: [Self; 2] = [Self::Check, Self::Program];
-
     /// The packages of this build, each after those that it needs.
     #[must_use]
     pub fn packages(self) -> &'static [Package] {
         match self {
             Self::Check => &[Package::Kit, Package::Lab],
             Self::Program => &Package::ALL,
-        }
-    }
-
-    /// Where its manifests and its versions are in a checkout.
-    #[must_use]
-    pub fn folder(self) -> &'static str {
-        match self {
-            Self::Check => "src/lab/kit",
-            Self::Program => "src/cli/lab/kit",
         }
     }
 

@@ -28,11 +28,9 @@ mod words;
 
 pub(super) use rows::rows;
 
-use super::verdict::named;
 use super::{Report, TestResult, Visibility};
-use std::fmt;
 
-named! {
+dcel_kit::named! {
     /// A form in which reports can be written.
     #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
     #[non_exhaustive]
@@ -61,10 +59,10 @@ named! {
         Statistics = "statistics",
     }
 
+    /// Its name on the command line.
+    fn name as Display;
     /// All formats.
     const ALL;
-    /// Its name on the command line.
-    fn name;
 }
 
 impl Format {
@@ -118,12 +116,6 @@ impl Format {
             Self::Bugs => bugs::write(reports),
             Self::Statistics => statistics::write(reports),
         })
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// What a class makes of one test.
+#[derive(Default)]
 struct Row<'a> {
     name: &'a str,
     title: &'a str,
@@ -56,17 +57,7 @@ fn table(reports: &[Report]) -> Vec<Row<'_>> {
 }
 
 fn row_of<'a>(name: &str, reports: &'a [Report]) -> Row<'a> {
-    let mut row = Row {
-        name: "",
-        title: "",
-        task: 0,
-        graded: 0,
-        passed: 0,
-        earned: Points::ZERO,
-        most: Points::ZERO,
-        verdicts: BTreeMap::new(),
-        mistakes: Vec::new(),
-    };
+    let mut row = Row::default();
     let mut mistakes: BTreeMap<&str, usize> = BTreeMap::new();
     let counted = reports.iter().filter(|report| counts(report));
     for test in counted.flat_map(|report| &report.tests).filter(|test| test.name == name) {

@@ -1,6 +1,6 @@
 //! Systems other than Linux: the plain driver's limits, and the rest of the barriers named as missing.
 
-use super::{Barrier, Hidden, Limits, Program, Ran, Sandbox, SandboxChoice, Task};
+use super::{Barrier, Hidden, Limits, Program, Ran, Runner, Sandbox, SandboxChoice, Task};
 use crate::Driver;
 use crate::program::run_within;
 use std::io;
@@ -43,20 +43,18 @@ impl Resident {
         &self.said
     }
 
-    pub(crate) fn give(&self, _: &Path) -> io::Result<()> {
-        Ok(())
-    }
-
-    pub(crate) fn let_in(&self, _: &Path) -> io::Result<()> {
-        Ok(())
-    }
-
     pub(super) fn limits_said(&self, limits: &Limits) -> Vec<Barrier> {
         vec![Barrier { name: format!("memory {} MB", limits.memory_mb), missing: Some(WHY.to_owned()) }]
     }
 
+    pub(crate) fn leave(&self) -> bool {
+        true
+    }
+}
+
+impl Runner for Resident {
     /// Runs a task until its deadline; a program without arguments within the limits that this system knows.
-    pub(crate) fn run(&self, task: &Task, input: &str) -> Ran {
+    fn run(&self, task: &Task, input: &str) -> Ran {
         if task.args.is_empty() {
             return Driver::new(&task.program, task.limits).run(input);
         }
@@ -64,9 +62,5 @@ impl Resident {
         command.args(&task.args).current_dir(&task.folder);
         command.envs(task.env.iter().map(|(name, value)| (name, value)));
         run_within(command, input, &task.limits, None)
-    }
-
-    pub(crate) fn leave(&self) -> bool {
-        true
     }
 }

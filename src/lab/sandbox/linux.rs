@@ -4,7 +4,7 @@ use super::confine::loaders;
 use super::processes::processes;
 use super::spec::{Files, Outcome, Spec, Step, VARIABLE, WORD};
 use super::user::OwnUser;
-use super::{Barrier, Limits, Ran, Sandbox, Task, View, unguessable};
+use super::{Barrier, Limits, Ran, Runner, Sandbox, Task, View, unguessable};
 use crate::program::run_within;
 use crate::{End, end_of};
 use std::fs;
@@ -69,16 +69,6 @@ impl Resident {
         self.user.as_ref().map(|user| user.id)
     }
 
-    /// Gives a file or folder to it, so that it may write there.
-    pub(crate) fn give(&self, path: &Path) -> io::Result<()> {
-        self.user().map_or(Ok(()), |id| std::os::unix::fs::lchown(path, Some(id), Some(id)))
-    }
-
-    /// Lets its group in, without write access.
-    pub(crate) fn let_in(&self, path: &Path) -> io::Result<()> {
-        self.user().map_or(Ok(()), |id| std::os::unix::fs::lchown(path, None, Some(id)))
-    }
-
     pub(super) fn limits_said(&self, limits: &Limits) -> Vec<Barrier> {
         let Limits { cpu_seconds, memory_mb, file_kb, files, processes, .. } = limits;
         let names = [
@@ -93,32 +83,6 @@ impl Resident {
         let mut said: Vec<Barrier> = names.map(|name| Barrier { name, missing: None }).into();
         said.push(Barrier { name: format!("{processes} processes"), missing });
         said
-    }
-
-    /// Runs a task in the sandbox, to its end and the end of whatever it started.
-    pub(crate) fn run(&self, task: &Task, input: &str) -> Ran {
-        let token = format!("barrier-{}", unguessable());
-        let text = match serde_json::to_string(&self.spec(task, &token)) {
-            Ok(text) => text,
-            Err(error) => return not_started(format!("{error}")),
-        };
-        let mut command = Command::new(self.sandbox.launcher());
-        command.arg(WORD).env_clear().env(VARIABLE, text).process_group(0);
-        let patient = Limits { seconds: task.limits.seconds + PATIENCE, ..task.limits };
-        let mut ran = run_within(command, input, &patient, Some(&self.sandbox.stop));
-        ran.end = match ran.end {
-            End::Exited(code) => match Outcome::of_code(code) {
-                Outcome::Exited(code) => End::Exited(code),
-                Outcome::Signalled(signal) => end_of(None, Some(signal), &ran.stderr),
-                Outcome::TimedOut => End::TimedOut,
-                Outcome::NoWall => match refusal(&mut ran.stderr, &token) {
-                    Some(why) => End::NotStarted(why),
-                    None => End::Exited(code),
-                },
-            },
-            other => other,
-        };
-        ran
     }
 
     fn spec(&self, task: &Task, token: &str) -> Spec {
@@ -191,6 +155,44 @@ impl Resident {
             user.clear();
         }
         gone
+    }
+}
+
+impl Runner for Resident {
+    /// Runs a task in the sandbox, to its end and the end of whatever it started.
+    fn run(&self, task: &Task, input: &str) -> Ran {
+        let token = format!("barrier-{}", unguessable());
+        let text = match serde_json::to_string(&self.spec(task, &token)) {
+            Ok(text) => text,
+            Err(error) => return not_started(format!("{error}")),
+        };
+        let mut command = Command::new(self.sandbox.launcher());
+        command.arg(WORD).env_clear().env(VARIABLE, text).process_group(0);
+        let patient = Limits { seconds: task.limits.seconds + PATIENCE, ..task.limits };
+        let mut ran = run_within(command, input, &patient, Some(&self.sandbox.stop));
+        ran.end = match ran.end {
+            End::Exited(code) => match Outcome::of_code(code) {
+                Outcome::Exited(code) => End::Exited(code),
+                Outcome::Signalled(signal) => end_of(None, Some(signal), &ran.stderr),
+                Outcome::TimedOut => End::TimedOut,
+                Outcome::NoWall => match refusal(&mut ran.stderr, &token) {
+                    Some(why) => End::NotStarted(why),
+                    None => End::Exited(code),
+                },
+            },
+            other => other,
+        };
+        ran
+    }
+
+    /// Gives a file or folder to it, so that it may write there.
+    fn give(&self, path: &Path) -> io::Result<()> {
+        self.user().map_or(Ok(()), |id| std::os::unix::fs::lchown(path, Some(id), Some(id)))
+    }
+
+    /// Lets its group in, without write access.
+    fn let_in(&self, path: &Path) -> io::Result<()> {
+        self.user().map_or(Ok(()), |id| std::os::unix::fs::lchown(path, None, Some(id)))
     }
 }
 

@@ -257,20 +257,6 @@ impl Program for SandboxedProgram {
     }
 }
 
-impl Runner for Resident {
-    fn run(&self, task: &Task, input: &str) -> Ran {
-        Self::run(self, task, input)
-    }
-
-    fn give(&self, path: &Path) -> std::io::Result<()> {
-        Self::give(self, path)
-    }
-
-    fn let_in(&self, path: &Path) -> std::io::Result<()> {
-        Self::let_in(self, path)
-    }
-}
-
 /// What a binary calls first of all if it serves as launcher. `None` means that it was started as what it is.
 ///
 /// ```text

@@ -5,7 +5,7 @@ use super::inside::{Answers, Questions, spaces};
 use super::linux::Resident;
 use super::processes::{runs, start_of};
 use super::spec::{INSIDE, WORD};
-use super::{Barrier, Hidden, Limits, Sandbox, SandboxChoice, Task, View, unguessable};
+use super::{Barrier, Hidden, Limits, Runner, Sandbox, SandboxChoice, Task, View, unguessable};
 use crate::End;
 use std::fs;
 use std::net::{Ipv4Addr, TcpListener, UdpSocket};

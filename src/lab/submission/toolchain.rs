@@ -13,7 +13,7 @@ use super::tree::own_only;
 #[cfg(feature = "grade")]
 use crate::End;
 #[cfg(feature = "grade")]
-use crate::sandbox::{Sandbox, Task, View, unguessable};
+use crate::sandbox::{Runner, Sandbox, Task, View, unguessable};
 use std::fs;
 #[cfg(feature = "grade")]
 use std::io;

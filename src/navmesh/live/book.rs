@@ -24,6 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// An obstacle of a [`LiveMesh`](super::LiveMesh).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 pub struct ObstacleId(pub u32);
 
 impl std::fmt::Display for ObstacleId {

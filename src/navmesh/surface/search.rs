@@ -9,6 +9,7 @@
 //! A path bends round nodes on a border, and round those with more than a full turn. There it may leave where both sides
 //! of it have half a turn or more; a hair less will do, so that what rounding hides behind a corner is still seen.
 
+use super::super::route::shortest_pair;
 use super::super::{PathAlgorithm, Work};
 use super::corridor::Corridors;
 use super::place::SurfacePoint;
@@ -164,12 +165,7 @@ impl SurfacePlanner {
         goal: &SurfacePoint,
     ) -> Result<SurfaceRoute, SurfaceRouteError> {
         assert!(costs.len() >= surface.face_bound(), "{} costs for {} faces", costs.len(), surface.face_bound());
-        let metric = if matches!(algorithm, PathAlgorithm::Breadth | PathAlgorithm::Exact) {
-            PathAlgorithm::Closest
-        } else {
-            algorithm
-        };
-        self.find(surface, metric, Some(costs), start, goal)
+        self.find(surface, algorithm.over_costs(), Some(costs), start, goal)
     }
 
     /// The shortest of the routes between some places, as at a double corner; with the numbers of its ends.
@@ -186,23 +182,8 @@ impl SurfacePlanner {
         starts: &[SurfacePoint],
         goals: &[SurfacePoint],
     ) -> Result<(SurfaceRoute, [usize; 2]), SurfaceRouteError> {
-        assert!(!starts.is_empty() && !goals.is_empty(), "a route has two ends");
-        let mut best: Option<(SurfaceRoute, [usize; 2])> = None;
-        let mut first_error = None;
-        for (i, start) in starts.iter().enumerate() {
-            for (k, goal) in goals.iter().enumerate() {
-                match self.route(surface, algorithm, start, goal) {
-                    Ok(route) if best.as_ref().is_none_or(|(least, _)| route.length < least.length) => {
-                        best = Some((route, [i, k]));
-                    }
-                    Ok(_) => {}
-                    Err(error) => {
-                        first_error.get_or_insert(error);
-                    }
-                }
-            }
-        }
-        best.ok_or_else(|| first_error.expect("there is a pair"))
+        let find = |[i, k]: [usize; 2]| self.route(surface, algorithm, &starts[i], &goals[k]);
+        shortest_pair([starts.len(), goals.len()], find, |route| route.length)
     }
 
     fn find(

@@ -11,20 +11,26 @@
 use super::Overlay;
 use crate::ids::{EdgeId, FaceId, FaceMap, must_be_below};
 use crate::plane::{SegmentsError, Subdivision};
-use std::fmt;
 use std::str::FromStr;
 
-/// What to make of two regions. The region of a subdivision is all its bounded faces but the hole faces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Operation {
-    /// What is in a or in b.
-    Union,
-    /// What is in a and in b.
-    Intersection,
-    /// What is in a and not in b.
-    Difference,
-    /// What is in a or in b, but not in both.
-    SymmetricDifference,
+crate::named! {
+    /// What to make of two regions. The region of a subdivision is all its bounded faces but the hole faces.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Operation {
+        /// What is in a or in b.
+        Union = "union",
+        /// What is in a and in b.
+        Intersection = "intersection",
+        /// What is in a and not in b.
+        Difference = "difference",
+        /// What is in a or in b, but not in both.
+        SymmetricDifference = "xor",
+    }
+
+    /// `union`, `intersection`, `difference`, `xor`.
+    fn name as Display;
+    /// All four.
+    const ALL;
 }
 
 /// What becomes of edges with the region on both sides.
@@ -38,9 +44,6 @@ pub enum Parts {
 }
 
 impl Operation {
-    /// All four.
-    pub const ALL: [Self; 4] = [Self::Union, Self::Intersection, Self::Difference, Self::SymmetricDifference];
-
     /// Whether a point belongs to the result, if it is known whether it is in a and in b.
     #[must_use]
     pub fn holds(self, in_a: bool, in_b: bool) -> bool {
@@ -50,23 +53,6 @@ impl Operation {
             Self::Difference => in_a && !in_b,
             Self::SymmetricDifference => in_a != in_b,
         }
-    }
-
-    /// `union`, `intersection`, `difference`, `xor`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Union => "union",
-            Self::Intersection => "intersection",
-            Self::Difference => "difference",
-            Self::SymmetricDifference => "xor",
-        }
-    }
-}
-
-impl fmt::Display for Operation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

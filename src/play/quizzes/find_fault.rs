@@ -9,7 +9,6 @@ use crate::ids::Element;
 use crate::play::broken::{POINTERS, get, message, set};
 use crate::play::dice::Dice;
 use crate::play::reply::Message;
-use crate::play::scene::planar_table;
 use crate::play::tables::find;
 use crate::topology::{Table, View, violations};
 
@@ -26,7 +25,7 @@ pub(super) struct FindFault {
 impl FindFault {
     pub(super) fn new(dice: &mut Dice, level: u32) -> Self {
         let s = random(dice, [1, 3, 5][(level.clamp(1, 3) - 1) as usize]);
-        let sound = planar_table(&s);
+        let sound = Table::from_planar_view(&s);
         let half_edges: Vec<Element> = s.half_edges().map(Element::from).collect();
         let vertices: Vec<Element> = s.vertices().map(Element::from).collect();
         let faces: Vec<Element> = s.faces().map(Element::from).collect();

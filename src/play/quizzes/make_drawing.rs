@@ -5,7 +5,7 @@
 
 use super::Verdict;
 use crate::figure::{Detail, FigureOptions, structure};
-use crate::io::{Format, LoadOptions, ReadOptions, Structure, assemble, read_bytes};
+use crate::io::{Format, LoadOptions, ReadOptions, Structure, assemble, counted, read_bytes};
 use crate::plane::Subdivision;
 use crate::topology::{IsomorphismOptions, isomorphic_with, position_key};
 
@@ -93,9 +93,9 @@ impl MakeDrawing {
             Ok(_) => {
                 let fewest = self.fewest();
                 let text = if self.moves == fewest {
-                    format!("right, in {}, the fewest", moves(self.moves))
+                    format!("right, in {}, the fewest", counted(self.moves, "move", "moves"))
                 } else {
-                    format!("right, in {}; {fewest} are the fewest", moves(self.moves))
+                    format!("right, in {}; {fewest} are the fewest", counted(self.moves, "move", "moves"))
                 };
                 Ok(Verdict { right: true, over: true, text, trail: Vec::new() })
             }
@@ -108,8 +108,4 @@ impl MakeDrawing {
     pub(super) fn target(&self) -> &Subdivision {
         &self.target
     }
-}
-
-fn moves(n: usize) -> String {
-    if n == 1 { "1 move".to_owned() } else { format!("{n} moves") }
 }

@@ -7,7 +7,6 @@ use crate::ids::{Element, HalfEdgeId};
 use crate::plane::{PlaneJournal, SplitFaceError, Subdivision};
 use crate::play::dice::Dice;
 use crate::play::reply::named;
-use crate::play::scene::planar_table;
 use crate::topology::{self, Table};
 
 /// Four calls, one of them refused, and three reasons.
@@ -85,7 +84,7 @@ impl Predict {
         dice.shuffle(&mut reasons);
         let why = reasons.iter().position(|reason| *reason == error.to_string())?;
         let calls = calls.iter().map(ToString::to_string).collect();
-        Some(Self { table: planar_table(&s), calls, refused: place, reasons, why, found: false })
+        Some(Self { table: Table::from_planar_view(&s), calls, refused: place, reasons, why, found: false })
     }
 
     /// A question about the lab's rectangle, should chance never give one.
@@ -94,7 +93,7 @@ impl Predict {
         let error = "h0 bounds f1, but h1 bounds f0: a face is split between two of its own corners".to_owned();
         let calls = ["split_face h0 h4", "split_face h0 h1", "split_in_half h2", "split_face h2 h8"];
         Self {
-            table: planar_table(&s),
+            table: Table::from_planar_view(&s),
             calls: calls.map(str::to_owned).to_vec(),
             refused: 1,
             reasons: vec![error],

@@ -4,7 +4,6 @@ use super::Verdict;
 use super::structures::random;
 use crate::ids::Element;
 use crate::play::dice::Dice;
-use crate::play::scene::planar_table;
 use crate::play::walk::walk;
 use crate::topology::{Table, View};
 
@@ -24,7 +23,7 @@ impl WhereAmI {
             _ => (6, 6 + dice.below(3)),
         };
         let s = random(dice, splits);
-        let table = planar_table(&s);
+        let table = Table::from_planar_view(&s);
         let starts: Vec<_> = s.half_edges().collect();
         let mut path = dice.pick(&starts).map_or_else(|| "h0".to_owned(), ToString::to_string);
         let mut last = "";

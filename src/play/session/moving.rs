@@ -6,8 +6,9 @@ use crate::ids::{Element, VertexId};
 use crate::plane::Point;
 use crate::play::canvas::Over;
 use crate::play::reply::{Message, Reply, Tone, element, named};
-use crate::play::scene::{Scene, planar_table};
+use crate::play::scene::Scene;
 use crate::play::tables;
+use crate::topology::Table;
 
 impl Session {
     pub(super) fn vertex(&self, id: &str) -> Result<VertexId, String> {
@@ -26,7 +27,7 @@ impl Session {
         if let Scene::Points(points) = &self.scene {
             let held = points.held(v.index(), p)?;
             let mut reply = Reply::default();
-            let table = planar_table(held.delaunay());
+            let table = Table::from_planar_view(held.delaunay());
             let options = self.canvas.options(TITLE);
             let figure = self.canvas.draw(&table, options, false).map_err(|error| error.to_string())?;
             reply.svg = Some(figure.to_svg());

@@ -2,7 +2,7 @@
 
 use super::{ALL, Changed, NOTHING, Outcome, Session};
 use crate::plane::Point;
-use crate::play::edits::{Done, LineError};
+use crate::play::edits::Done;
 use crate::play::link;
 use crate::play::reply::{Message, Question, Reply, Tone};
 use crate::play::scene::{Scene, starts_as_script};
@@ -94,16 +94,14 @@ impl Session {
             let one = match &mut scene {
                 Scene::Plane { work, .. } => work.line(line),
                 Scene::Kernel(work) => work.line(line),
-                Scene::Points(_) => {
-                    Err(LineError::Refused("points have no script: keep the triangulation first".to_owned()))
-                }
+                Scene::Points(_) => Err("points have no script: keep the triangulation first".to_owned()),
             };
             match one {
                 Ok(one) => done.push(one),
                 Err(error) if many => {
                     return Err(format!("line {number} of what was given: {error}; nothing was done"));
                 }
-                Err(error) => return Err(error.to_string()),
+                Err(error) => return Err(error),
             }
         }
         self.scene = scene;

@@ -3,6 +3,7 @@
 use super::{Changed, LONGEST_LINK, Session, TITLE};
 use crate::edits::rows;
 use crate::ids::Element;
+use crate::io::counted;
 use crate::play::canvas::Over;
 use crate::play::reply::{Message, Reply, Selected, Status, Tone};
 use crate::play::scene::{Scene, draw_kernel};
@@ -65,7 +66,6 @@ impl Session {
     /// Tables, counts, invariants, script and link.
     pub(super) fn tell(&self, table: &Table, reply: &mut Reply) {
         let counts = measure(table);
-        let counted = |n: usize, one: &str, many: &str| format!("{n} {}", if n == 1 { one } else { many });
         let violations = match (&self.quiz, &self.broken) {
             (Some(quiz), _) => quiz.round.faults(),
             (None, Some(broken)) => broken.faults(),

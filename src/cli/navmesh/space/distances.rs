@@ -1,9 +1,8 @@
 //! `dcel navmesh distances` on a floor whose heights differ.
 
 use super::super::super::answer::fields;
-use super::super::super::failure::Failure;
 use super::super::super::output::{point as told, table};
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::distances::Args;
 use super::super::drawing::{Canvas, save};
 use super::super::routes::{WHERE_FACES_TOUCH, from_each};
@@ -58,8 +57,7 @@ pub(in super::super) fn run(
         faces: surface.faces().filter(is_within).map(|f| f.to_string()).collect::<Vec<_>>(),
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
     let count = answer.vertices.len();

@@ -1,8 +1,7 @@
 //! `dcel navmesh info` on a floor whose heights differ.
 
 use super::super::super::answer::fields;
-use super::super::super::failure::Failure;
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::tell::Told;
 use super::Ground;
@@ -52,8 +51,7 @@ pub(in super::super) fn run(
         faults: ground.faults.iter().map(|(place, fault)| Told::at(place.clone(), fault)).collect::<Vec<_>>(),
     };
     if json {
-        out.json(&info)?;
-        return Ok(Answer::Yes);
+        return out.json(&info);
     }
     writeln!(out, "{}: {}, a surface to walk on", info.source, info.format)?;
     let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");

@@ -1,9 +1,8 @@
 //! `dcel navmesh locate` on a floor whose heights differ: every storey at a point.
 
 use super::super::super::answer::fields;
-use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::Ground;
 use dcel_kit::navmesh::Floor;
 use std::io::Write;
@@ -33,8 +32,7 @@ pub(in super::super) fn run(
         });
     }
     if json {
-        out.json(&all)?;
-        return Ok(Answer::Yes);
+        return out.json(&all);
     }
     writeln!(out, "{}:", ground.source)?;
     for found in &all {

@@ -1,7 +1,6 @@
 //! `dcel navmesh random` on a floor whose heights differ.
 
-use super::super::super::failure::Failure;
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::random::nothing_walkable;
 use super::{Ground, Spot};
 use std::io::Write;
@@ -17,8 +16,7 @@ pub(in super::super) fn run(
         return Err(nothing_walkable(&ground.source));
     }
     if json {
-        out.json(&places.map(|place| ground.spot(&place)).collect::<Vec<Spot>>())?;
-        return Ok(Answer::Yes);
+        return out.json(&places.map(|place| ground.spot(&place)).collect::<Vec<Spot>>());
     }
     for place in places {
         let [x, y, z] = ground.in_file(place.point);

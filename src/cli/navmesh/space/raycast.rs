@@ -1,9 +1,8 @@
 //! `dcel navmesh raycast` on a floor whose heights differ.
 
 use super::super::super::answer::fields;
-use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
-use super::super::super::{Answer, Output};
+use super::super::super::{Answer, Failure, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::raycast::Args;
 use super::super::routes::{WHERE_FACES_TOUCH, furthest};
@@ -64,8 +63,7 @@ pub(in super::super) fn run(
         faces: cast.faces.iter().map(ToString::to_string).collect::<Vec<_>>(),
     };
     if args.json {
-        out.json(&answer)?;
-        return Ok(Answer::Yes);
+        return out.json(&answer);
     }
     let through = faces(answer.faces.len());
     let length = answer.length;

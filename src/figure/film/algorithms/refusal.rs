@@ -23,12 +23,7 @@ pub(super) const HEADING: &str = "Refused";
 /// assert_eq!(film.captions().next(), Some(("Refused", "f1 is no triangle")));
 /// ```
 #[must_use]
-pub fn refusal<V: PlanarView + ?Sized>(
-    given: &V,
-    why: &str,
-    elements: &[Element],
-    places: &[(Point, &str)],
-) -> SketchFilm {
+pub fn refusal(given: &dyn PlanarView, why: &str, elements: &[Element], places: &[(Point, &str)]) -> SketchFilm {
     let mut sketch = Sketch::new();
     for &element in elements {
         match element {
@@ -56,7 +51,7 @@ pub fn refusal<V: PlanarView + ?Sized>(
     film
 }
 
-fn side<V: PlanarView + ?Sized>(sketch: &mut Sketch, given: &V, h: HalfEdgeId, element: Element) {
+fn side(sketch: &mut Sketch, given: &dyn PlanarView, h: HalfEdgeId, element: Element) {
     let end = given.twin(h).and_then(|twin| given.origin(twin));
     let ends = [given.origin(h), end].map(|v| given.position(v?));
     if let [Some(a), Some(b)] = ends {
@@ -65,7 +60,7 @@ fn side<V: PlanarView + ?Sized>(sketch: &mut Sketch, given: &V, h: HalfEdgeId, e
 }
 
 /// The half-edges of the first border of a face; no more than there are, even where the links are wrong.
-fn walk<V: PlanarView + ?Sized>(given: &V, f: FaceId) -> impl Iterator<Item = HalfEdgeId> {
+fn walk(given: &dyn PlanarView, f: FaceId) -> impl Iterator<Item = HalfEdgeId> {
     let first = given.half_edge(f);
     let step = move |&h: &HalfEdgeId| given.next(h).filter(|&next| Some(next) != first);
     std::iter::successors(first, step).take(given.half_edge_bound())

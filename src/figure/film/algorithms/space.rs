@@ -122,7 +122,7 @@ fn sketch(state: &Shown<'_>, moment: &Moment) -> Sketch {
 }
 
 /// The names of the vertices that are seen, but for those that have one already.
-fn name<V: PlanarView>(sketch: &mut Sketch, moment: &Moment, state: &Shown<'_>, seen: &V) {
+fn name(sketch: &mut Sketch, moment: &Moment, state: &Shown<'_>, seen: &dyn PlanarView) {
     let named: Vec<Point> =
         moment.points.iter().filter(|(.., name)| name.is_some()).map(|(_, p, ..)| state.place(*p)).collect();
     for v in (0..seen.vertex_bound() as u32).map(VertexId::new).filter(|&v| seen.has_vertex(v)) {

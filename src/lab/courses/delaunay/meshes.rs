@@ -265,7 +265,7 @@ pub(super) fn fixed() -> Vec<Mesh> {
     all.extend(nearly_round());
     let mut random = Random::new(7, "large");
     all.push(fan("parabola_of_40", &turned(40)));
-    all.extend(swept("large", &places(&mut random, 120, 10_000)));
+    all.extend(swept("large", &random.places(120, 10_000)));
     all
 }
 
@@ -298,23 +298,11 @@ fn nearly_round() -> Vec<Mesh> {
     all
 }
 
-/// So many different points with whole coordinates.
-fn places(random: &mut Random, count: usize, size: usize) -> Vec<[f64; 2]> {
-    let mut all: Vec<[f64; 2]> = Vec::new();
-    while all.len() < count {
-        let p = [random.below(size) as f64, random.below(size) as f64];
-        if !all.contains(&p) {
-            all.push(p);
-        }
-    }
-    all
-}
-
 /// A triangulation that looks random, of points some of which lie on one circle, swept or shaken.
 pub(super) fn random(random: &mut Random, name: &str, most: usize) -> Option<Mesh> {
     let count = 4 + random.below(most);
     let size = if random.below(2) == 0 { 7 } else { 100 };
-    let mesh = swept(name, &places(random, count, size))?;
+    let mesh = swept(name, &random.places(count, size))?;
     if random.below(2) == 0 { mesh.shaken(random) } else { Some(mesh) }
 }
 

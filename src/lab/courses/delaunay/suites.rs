@@ -41,9 +41,9 @@ pub static DELAUNAY: Delaunay = Delaunay;
 impl Judge for Delaunay {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |name, tests, case: CaseOf, more: Vec<Case>| {
-            let mut asked = Asked::fixed(fixed(name, case).into_iter().chain(more));
-            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, count| random(name, case, seed, count)));
-            Suite { name, tests, asked }
+            let fixed = fixed(name, case).into_iter().chain(more);
+            let random = |seed, count| random(name, case, seed, count);
+            Suite { name, tests, asked: Asked::fixed_and_seeded(fixed, plan, RANDOM, random) }
         };
         let drawn = Case::new(PICTURE, Start::line("sites")).step(Step::of_line("delaunify")).step(Step::Svg);
         vec![
@@ -51,9 +51,9 @@ impl Judge for Delaunay {
             suite("can_flip", &["can_flip"], asks, vec![asks_wheel("can_flip")]),
             suite("flip", &flip::TESTS[1..], flips, vec![costs::flips()]),
             suite("delaunify", &["delaunify"], whole, Vec::new()),
-            Suite { name: costs::LARGE, tests: &[costs::LARGE], asked: Asked::fixed(costs::delaunify()) },
+            Suite::of(&[costs::LARGE], Asked::fixed(costs::delaunify())),
             suite("smallest_angle", &["smallest_angle"], whole, Vec::new()),
-            Suite { name: PICTURE, tests: &[PICTURE], asked: Asked::fixed([drawn]) },
+            Suite::of(&[PICTURE], Asked::fixed([drawn])),
         ]
     }
 

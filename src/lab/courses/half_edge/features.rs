@@ -88,47 +88,47 @@ crate::features! {
     FarFraction "far_fraction" "a coordinate of the midpoint is not a multiple of 1/65536",
     Triangle "triangle" "the face of he has three half-edges",
     Vertex2 "degree_2" "the vertex has degree 2",
-    Vertex2More "degree_2_more" "the vertex has a degree above 2",
-    Vertex3More "degree_3_more" "the vertex has a degree above 3",
-    Vertex4More "degree_4_more" "the vertex has a degree above 4",
-    Vertex8More "degree_8_more" "the vertex has a degree above 8",
-    Vertex16More "degree_16_more" "the vertex has a degree above 16",
+    _Vertex2More "degree_2_more" "the vertex has a degree above 2",
+    _Vertex3More "degree_3_more" "the vertex has a degree above 3",
+    _Vertex4More "degree_4_more" "the vertex has a degree above 4",
+    _Vertex8More "degree_8_more" "the vertex has a degree above 8",
+    _Vertex16More "degree_16_more" "the vertex has a degree above 16",
     Corner2More "corner_2_more" "he1 or he2 starts at a vertex with a degree above 2",
     End2More "end_2_more" "he ends at a vertex with a degree above 2",
-    Face1More "face_1_more" "the face has more than one half-edge",
-    Face2More "face_2_more" "the face has more than two half-edges",
-    Face3More "face_3_more" "the face has more than 3 half-edges",
-    Face4More "face_4_more" "the face has more than 4 half-edges",
-    Face6More "face_6_more" "the face has more than 6 half-edges",
-    Face8More "face_8_more" "the face has more than 8 half-edges",
-    Face12More "face_12_more" "the face has more than 12 half-edges",
-    Face16More "face_16_more" "the face has more than 16 half-edges",
-    Face24More "face_24_more" "the face has more than 24 half-edges",
-    Face32More "face_32_more" "the face has more than 32 half-edges",
-    Face64More "face_64_more" "the face has more than 64 half-edges",
+    _Face1More "face_1_more" "the face has more than one half-edge",
+    _Face2More "face_2_more" "the face has more than two half-edges",
+    _Face3More "face_3_more" "the face has more than 3 half-edges",
+    _Face4More "face_4_more" "the face has more than 4 half-edges",
+    _Face6More "face_6_more" "the face has more than 6 half-edges",
+    _Face8More "face_8_more" "the face has more than 8 half-edges",
+    _Face12More "face_12_more" "the face has more than 12 half-edges",
+    _Face16More "face_16_more" "the face has more than 16 half-edges",
+    _Face24More "face_24_more" "the face has more than 24 half-edges",
+    _Face32More "face_32_more" "the face has more than 32 half-edges",
+    _Face64More "face_64_more" "the face has more than 64 half-edges",
     NewShorter "new_shorter" "the new face gets fewer half-edges than the old one keeps",
     OldShorter "old_shorter" "the old face keeps fewer half-edges than the new one gets",
     NewMeets1 "new_meets_1" "the new face comes to the origin of he1 more than once",
     NewMeets2 "new_meets_2" "the new face comes to the origin of he2 more than once",
     OldMeets1 "old_meets_1" "the old face still comes to the origin of he1 more than once",
     OldMeets2 "old_meets_2" "the old face still comes to the origin of he2 more than once",
-    New4More "new_4_more" "the new face gets more than 4 half-edges",
-    New5More "new_5_more" "the new face gets more than 5 half-edges",
-    New6More "new_6_more" "the new face gets more than 6 half-edges",
-    New7More "new_7_more" "the new face gets more than 7 half-edges",
-    New8More "new_8_more" "the new face gets more than 8 half-edges",
-    New9More "new_9_more" "the new face gets more than 9 half-edges",
-    New10More "new_10_more" "the new face gets more than 10 half-edges",
-    New12More "new_12_more" "the new face gets more than 12 half-edges",
-    New16More "new_16_more" "the new face gets more than 16 half-edges",
-    New24More "new_24_more" "the new face gets more than 24 half-edges",
-    New32More "new_32_more" "the new face gets more than 32 half-edges",
-    New64More "new_64_more" "the new face gets more than 64 half-edges",
-    Faces2More "faces_2_more" "there are more than 2 faces",
-    Faces3More "faces_3_more" "there are more than 3 faces",
-    Faces4More "faces_4_more" "there are more than 4 faces",
-    Faces8More "faces_8_more" "there are more than 8 faces",
-    Vertices8More "vertices_8_more" "there are more than 8 vertices",
+    _New4More "new_4_more" "the new face gets more than 4 half-edges",
+    _New5More "new_5_more" "the new face gets more than 5 half-edges",
+    _New6More "new_6_more" "the new face gets more than 6 half-edges",
+    _New7More "new_7_more" "the new face gets more than 7 half-edges",
+    _New8More "new_8_more" "the new face gets more than 8 half-edges",
+    _New9More "new_9_more" "the new face gets more than 9 half-edges",
+    _New10More "new_10_more" "the new face gets more than 10 half-edges",
+    _New12More "new_12_more" "the new face gets more than 12 half-edges",
+    _New16More "new_16_more" "the new face gets more than 16 half-edges",
+    _New24More "new_24_more" "the new face gets more than 24 half-edges",
+    _New32More "new_32_more" "the new face gets more than 32 half-edges",
+    _New64More "new_64_more" "the new face gets more than 64 half-edges",
+    _Faces2More "faces_2_more" "there are more than 2 faces",
+    _Faces3More "faces_3_more" "there are more than 3 faces",
+    _Faces4More "faces_4_more" "there are more than 4 faces",
+    _Faces8More "faces_8_more" "there are more than 8 faces",
+    _Vertices8More "vertices_8_more" "there are more than 8 vertices",
     Half255 "half_255" "there are half-edges with numbers above 255",
     Later "later" "another call of the sequence came before it",
     AfterHalf "after_half" "an edge was split before, in the same sequence",
@@ -151,8 +151,8 @@ impl Set {
         self.0.either(yes as u32, no as u32, holds);
     }
 
-    fn more(&mut self, count: usize, steps: &[(usize, Word)]) {
-        self.0.more(count, steps.iter().map(|&(than, word)| (than, word as u32)));
+    fn more(&mut self, ids: &str, count: usize) {
+        self.0.more(VOCABULARY, ids, count);
     }
 }
 
@@ -186,9 +186,8 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
 }
 
 fn whole(set: &mut Set, table: &Table) {
-    let faces = [(2, Word::Faces2More), (3, Word::Faces3More), (4, Word::Faces4More), (8, Word::Faces8More)];
-    set.more(table.faces.len(), &faces);
-    set.add(Word::Vertices8More, table.vertices.len() > 8);
+    set.more("faces_N_more", table.faces.len());
+    set.more("vertices_N_more", table.vertices.len());
     set.add(Word::Half255, table.half_edges.len() > 256);
     let mut places = table.vertices.iter().flatten().map(|row| row.position);
     let first = places.next();
@@ -207,20 +206,7 @@ fn loop_of(set: &mut Set, table: &Table, f: FaceId, walk: &[HalfEdgeId]) {
     let has_own_twin = |h: &HalfEdgeId| table.twin(*h).is_some_and(|twin| table.face(twin) == Some(f));
     set.add(Word::FaceBridge, walk.iter().any(has_own_twin));
     set.add(Word::FaceDangling, walk.iter().any(|&h| table.next(h).is_some() && table.next(h) == table.twin(h)));
-    let steps = [
-        (1, Word::Face1More),
-        (2, Word::Face2More),
-        (3, Word::Face3More),
-        (4, Word::Face4More),
-        (6, Word::Face6More),
-        (8, Word::Face8More),
-        (12, Word::Face12More),
-        (16, Word::Face16More),
-        (24, Word::Face24More),
-        (32, Word::Face32More),
-        (64, Word::Face64More),
-    ];
-    set.more(walk.len(), &steps);
+    set.more("face_N_more", walk.len());
 }
 
 fn face(set: &mut Set, table: &Table, f: FaceId) {
@@ -239,14 +225,7 @@ fn vertex(set: &mut Set, table: &Table, v: VertexId) {
     let spokes = star(table, stored);
     set.add(Word::VertexAlone, spokes.len() == 1);
     set.add(Word::Vertex2, spokes.len() == 2);
-    let steps = [
-        (2, Word::Vertex2More),
-        (3, Word::Vertex3More),
-        (4, Word::Vertex4More),
-        (8, Word::Vertex8More),
-        (16, Word::Vertex16More),
-    ];
-    set.more(spokes.len(), &steps);
+    set.more("degree_N_more", spokes.len());
     let faces: BTreeSet<Option<FaceId>> = spokes.iter().map(|&h| table.face(h)).collect();
     let is_triangle = |&h: &HalfEdgeId| cycle_of_three(table, h);
     set.add(Word::NotTriangle, !spokes.iter().all(is_triangle));
@@ -364,20 +343,6 @@ fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option
     set.add(Word::NewMeets2, meets(o2, i2, new) > 1);
     set.add(Word::OldMeets1, meets(o1, i1, walk.len() - new) > 1);
     set.add(Word::OldMeets2, meets(o2, i1, walk.len() - new) > 0);
-    let steps = [
-        (4, Word::New4More),
-        (5, Word::New5More),
-        (6, Word::New6More),
-        (7, Word::New7More),
-        (8, Word::New8More),
-        (9, Word::New9More),
-        (10, Word::New10More),
-        (12, Word::New12More),
-        (16, Word::New16More),
-        (24, Word::New24More),
-        (32, Word::New32More),
-        (64, Word::New64More),
-    ];
-    set.more(gets, &steps);
+    set.more("new_N_more", gets);
     Some(())
 }

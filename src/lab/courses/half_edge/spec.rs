@@ -18,36 +18,26 @@ use crate::checks::align::New;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
-/// Whether a face may be split between the origins of two of its half-edges.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Legal {
-    /// It may.
-    Yes,
-    /// Both are the same half-edge.
-    Same,
-    /// They bound different faces.
-    DifferentFaces,
-    /// The second follows the first.
-    NextOf,
-    /// The first follows the second.
-    PrevOf,
-    /// One of them does not exist, or lacks a pointer that would be needed.
-    Unknown,
-}
-
-impl Legal {
-    /// The reason, as the end of a sentence about `h1` and `h2`.
-    #[must_use]
-    pub fn because(self) -> &'static str {
-        match self {
-            Self::Yes => "they are two corners of one face, and no edge of it joins them",
-            Self::Same => "both are the same half-edge",
-            Self::DifferentFaces => "they bound different faces",
-            Self::NextOf => "the second is next of the first, so an edge joins their origins already",
-            Self::PrevOf => "the second is prev of the first, so an edge joins their origins already",
-            Self::Unknown => "the structure around them is broken",
-        }
+dcel_kit::named! {
+    /// Whether a face may be split between the origins of two of its half-edges.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+    pub enum Legal {
+        /// It may.
+        Yes = "they are two corners of one face, and no edge of it joins them",
+        /// Both are the same half-edge.
+        Same = "both are the same half-edge",
+        /// They bound different faces.
+        DifferentFaces = "they bound different faces",
+        /// The second follows the first.
+        NextOf = "the second is next of the first, so an edge joins their origins already",
+        /// The first follows the second.
+        PrevOf = "the second is prev of the first, so an edge joins their origins already",
+        /// One of them does not exist, or lacks a pointer that would be needed.
+        Unknown = "the structure around them is broken",
     }
+
+    /// The reason, as the end of a sentence about `h1` and `h2`.
+    fn because;
 }
 
 /// Whether `split_face(h1, h2)` should be carried out.

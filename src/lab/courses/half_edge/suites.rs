@@ -40,40 +40,27 @@ pub static HALF_EDGE: HalfEdge = HalfEdge;
 
 impl Judge for HalfEdge {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let mut suites: Vec<Suite> = [
-            ("face_walk", &["face_walk"] as &[&str], "walk_face"),
-            ("face_vertices", &["face_vertices"], "walk_vertices"),
-            ("destination_by_twin", &["destination_by_twin"], "destination"),
-            ("destination_by_next", &["destination_by_next"], "destination_by_next"),
-            ("vertex_star", &["vertex_star"], "walk_vertex"),
-        ]
-        .map(|(name, tests, function)| Suite { name, tests, asked: Asked::fixed(reading(name, function)) })
-        .into();
+        let reads =
+            |tests: &'static [&'static str], function| Suite::of(tests, Asked::fixed(reading(tests[0], function)));
+        let edits = |name, tests, cases| Suite { name, tests, asked: Asked::fixed(cases) };
+        let sequences = |tests: &'static [&'static str], fixed, weights| {
+            Suite::of(tests, sequence_cases(tests[0], fixed, weights, plan))
+        };
         let structures = structures();
-        suites.push(Suite {
-            name: "split_face",
-            tests: &split_face::TESTS,
-            asked: Asked::fixed(split_face_cases(&structures)),
-        });
-        suites.push(Suite {
-            name: "split_face_sequences",
-            tests: &["split_face_sequences"],
-            asked: sequence_cases("split_face_sequences", face_sequences(), [1, 0], plan),
-        });
-        suites.push(Suite {
-            name: "split_in_half",
-            tests: &split_in_half::TESTS[1..],
-            asked: Asked::fixed(split_in_half_cases(&structures)),
-        });
-        suites.push(Suite {
-            name: "split_in_half_sequences",
-            tests: &["split_in_half_sequences"],
-            asked: sequence_cases("split_in_half_sequences", mixed_sequences(), [1, 1], plan),
-        });
         let case = Case::new("drawing", rectangle());
         let case = case.step(Step::Dump).step(Step::call::<&str>("drawing", [])).step(Step::Dump).step(Step::Svg);
-        suites.push(Suite { name: "drawing", tests: &drawing::TESTS, asked: Asked::fixed(vec![case]) });
-        suites
+        vec![
+            reads(&["face_walk"], "walk_face"),
+            reads(&["face_vertices"], "walk_vertices"),
+            reads(&["destination_by_twin"], "destination"),
+            reads(&["destination_by_next"], "destination_by_next"),
+            reads(&["vertex_star"], "walk_vertex"),
+            edits("split_face", &split_face::TESTS, split_face_cases(&structures)),
+            sequences(&["split_face_sequences"], face_sequences(), [1, 0]),
+            edits("split_in_half", &split_in_half::TESTS[1..], split_in_half_cases(&structures)),
+            sequences(&["split_in_half_sequences"], mixed_sequences(), [1, 1]),
+            edits("drawing", &drawing::TESTS, vec![case]),
+        ]
     }
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {

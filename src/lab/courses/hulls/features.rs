@@ -111,8 +111,8 @@ fn of_points(function: &str, points: &[Point], set: &mut FeatureSet) {
     add(set, Word::Lowest, several(|p| p.y));
     add(set, Word::FirstInside, points.first().is_some_and(|p| !hull.contains(p)));
     add(set, Word::Near, points.len() <= 60 && is_near(points));
-    set.more(n, [(8, Word::ManyCorners as u32)]);
-    set.more(points.len(), [(100, Word::ManyPoints as u32)]);
+    add(set, Word::ManyCorners, n > 8);
+    add(set, Word::ManyPoints, points.len() > 100);
 }
 
 /// Whether plain doubles get the turn of some three points wrong.

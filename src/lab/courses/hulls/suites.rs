@@ -45,22 +45,18 @@ impl Judge for Hulls {
                     let count = 3 + random.below(3 * n);
                     points_case(tests[0], function, &self::random(random, count, size))
                 };
-                suites.push(Suite { name: tests[0], tests, asked: asked(tests[0], fixed, made, plan) });
+                suites.push(Suite::of(tests, asked(tests[0], fixed, made, plan)));
             }
         }
         let large = Case::new("graham_scan_large.bowl", bowl(MANY)).step(Step::Changes);
-        suites.push(Suite {
-            name: "graham_scan_large",
-            tests: &["graham_scan_large"],
-            asked: Asked::fixed([large.step(Step::of_line("graham_scan"))]),
-        });
+        suites.push(Suite::of(&["graham_scan_large"], Asked::fixed([large.step(Step::of_line("graham_scan"))])));
         suites.push(tangent_suite(&["tangents"], &with_a_point(), false, plan));
         suites.push(tangent_suite(&["tangents_odd"], &with_an_odd_point(), true, plan));
         suites.push(pair_suite(&["common_tangents"], plan));
         suites.push(pair_suite(&["merge"], plan));
-        suites.push(Suite { name: "hull_by_halves", tests: &["hull_by_halves"], asked: Asked::fixed(halves_cases()) });
+        suites.push(Suite::of(&["hull_by_halves"], Asked::fixed(halves_cases())));
         let drawn = Case::new("picture", Start::line("handout")).step(Step::Dump).step(Step::Svg);
-        suites.push(Suite { name: "picture", tests: &["picture"], asked: Asked::fixed([drawn]) });
+        suites.push(Suite::of(&["picture"], Asked::fixed([drawn])));
         suites
     }
 
@@ -225,7 +221,7 @@ fn tangent_suite(
         }
         tangent_case(name, &corners, p)
     };
-    Suite { name, tests, asked: asked(name, fixed, made, plan) }
+    Suite::of(tests, asked(name, fixed, made, plan))
 }
 
 /// Two polygons, named by each of a few of their corners.
@@ -252,7 +248,7 @@ fn pair_suite(tests: &'static [&'static str], plan: &Plan) -> Suite {
         let (count, size) = (2 + random.below(3 * n), 1 + random.below(12));
         pair_case(name, name, &random_pair(random, count, size))
     };
-    Suite { name, tests, asked: asked(name, fixed, made, plan) }
+    Suite::of(tests, asked(name, fixed, made, plan))
 }
 
 #[cfg(test)]

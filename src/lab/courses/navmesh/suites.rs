@@ -39,7 +39,8 @@ const IN_THE_BLIND: &str =
 
 impl Judge for NavMeshJudge {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let suite = |name: &'static str, tests: &'static [&'static str], make: fn(&str, &mut Random) -> Vec<Case>| {
+        let suite = |tests: &'static [&'static str], make: fn(&str, &mut Random) -> Vec<Case>| {
+            let name = tests[0];
             let fixed = match name {
                 "neighbours" => fixed_neighbours(),
                 "locate_by_scan" => fixed_points(name, false),
@@ -49,21 +50,21 @@ impl Judge for NavMeshJudge {
                 "funnel" => fixed_sleeves(),
                 _ => fixed_paths(),
             };
-            let mut asked = Asked::fixed(fixed);
-            asked.extend(Asked::from_seeds(plan, MESHES, |seed, _| make(name, &mut Random::new(seed, name))));
+            let random = |seed, _| make(name, &mut Random::new(seed, name));
+            let mut asked = Asked::fixed_and_seeded(fixed, plan, MESHES, random);
             asked.extend(Asked::fixed(large(name)));
-            Suite { name, tests, asked }
+            Suite::of(tests, asked)
         };
         let case = Case::new("corridor_svg", picture::start()).step(Step::Dump).step(Step::Svg);
         vec![
-            suite("neighbours", &["neighbours"], random_neighbours),
-            suite("locate_by_scan", &["locate_by_scan"], random_points),
-            suite("locate", &["locate"], random_points),
-            suite("corridor", &["corridor"], random_corridors),
-            suite("portals", &["portals"], random_portals),
-            suite("funnel", &["funnel"], random_sleeves),
-            suite("path", &["path"], random_paths),
-            Suite { name: "corridor_svg", tests: &["corridor_svg"], asked: Asked::fixed([case]) },
+            suite(&["neighbours"], random_neighbours),
+            suite(&["locate_by_scan"], random_points),
+            suite(&["locate"], random_points),
+            suite(&["corridor"], random_corridors),
+            suite(&["portals"], random_portals),
+            suite(&["funnel"], random_sleeves),
+            suite(&["path"], random_paths),
+            Suite::of(&["corridor_svg"], Asked::fixed([case])),
         ]
     }
 

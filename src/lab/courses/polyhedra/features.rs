@@ -88,8 +88,9 @@ fn of_surface(surface: &Surface, set: &mut FeatureSet) {
 fn of_vertex(surface: &Surface, v: u32, set: &mut FeatureSet) {
     let degree = surface.spokes(v).len();
     set.add(Word::Degree2 as u32, degree <= 2);
-    let steps = [(2, Word::Degree3), (8, Word::Degree8), (16, Word::Degree16)];
-    set.more(degree, steps.map(|(than, word)| (than, word as u32)));
+    set.add(Word::Degree3 as u32, degree > 2);
+    set.add(Word::Degree8 as u32, degree > 8);
+    set.add(Word::Degree16 as u32, degree > 16);
     set.add(Word::Removed as u32, surface.has_removed());
     set.add(Word::Records256 as u32, surface.table.half_edges.len() > 256);
 }
@@ -122,7 +123,8 @@ fn of_vertex_angle(surface: &Surface, v: u32, set: &mut FeatureSet) -> Option<()
     let half = PI - angles::deficit(surface, v)?;
     set.add(Word::NotHalf as u32, half.abs() > angles::TOLERANCE);
     let degree = surface.spokes(v).len();
-    set.more(degree, [(3, Word::Degree4 as u32), (8, Word::Degree8 as u32)]);
+    set.add(Word::Degree4 as u32, degree > 3);
+    set.add(Word::Degree8 as u32, degree > 8);
     set.add(Word::Tiny as u32, is_tiny(surface));
     Some(())
 }

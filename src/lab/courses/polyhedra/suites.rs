@@ -90,18 +90,17 @@ impl Judge for Polyhedra {
                 let large = Case::new("genus.torus_of_22500", costs::large_torus());
                 fixed.push(large.step(Step::Changes).step(Step::of_line("genus")));
             }
-            let mut asked = Asked::fixed(fixed);
-            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, count| random(function.word, seed, count)));
+            let asked = Asked::fixed_and_seeded(fixed, plan, RANDOM, |seed, count| random(function.word, seed, count));
             // Each suite decides the one test that has the function's name.
-            Suite { name: function.test, tests: std::slice::from_ref(&function.test), asked }
+            Suite::of(std::slice::from_ref(&function.test), asked)
         };
         let mut suites: Vec<Suite> = FUNCTIONS.iter().map(suite).collect();
-        suites.insert(3, Suite { name: LARGE, tests: &[LARGE], asked: Asked::fixed([costs::questions()]) });
+        suites.insert(3, Suite::of(&[LARGE], Asked::fixed([costs::questions()])));
         let drawn = picture::DRAWN.map(|solid| {
             let case = Case::new(format!("picture.{solid}"), Start::line(format!("platonic {solid}")));
             case.step(Step::Dump).step(Step::Svg)
         });
-        suites.push(Suite { name: PICTURE, tests: &[PICTURE], asked: Asked::fixed(drawn) });
+        suites.push(Suite::of(&[PICTURE], Asked::fixed(drawn)));
         suites
     }
 

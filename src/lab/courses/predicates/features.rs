@@ -64,13 +64,13 @@ crate::features! {
     Compensated "compensated" "one further double for all that is missing is not enough",
     SmallestPart "smallest_part" "the smallest part of the exact sum has another sign than the sum",
     LargestLast "largest_last" "the largest number comes last",
-    Numbers3 "numbers_3" "there are more than 3 numbers",
-    Numbers4 "numbers_4" "there are more than 4 numbers",
-    Numbers5 "numbers_5" "there are more than 5 numbers",
-    Numbers8 "numbers_8" "there are more than 8 numbers",
-    Numbers12 "numbers_12" "there are more than 12 numbers",
-    Numbers16 "numbers_16" "there are more than 16 numbers",
-    Numbers64 "numbers_64" "there are more than 64 numbers",
+    _Numbers3 "numbers_3" "there are more than 3 numbers",
+    _Numbers4 "numbers_4" "there are more than 4 numbers",
+    _Numbers5 "numbers_5" "there are more than 5 numbers",
+    _Numbers8 "numbers_8" "there are more than 8 numbers",
+    _Numbers12 "numbers_12" "there are more than 12 numbers",
+    _Numbers16 "numbers_16" "there are more than 16 numbers",
+    _Numbers64 "numbers_64" "there are more than 64 numbers",
     NotOrigin "not_origin" "the first point is not (0, 0)",
     Fraction "fraction" "a coordinate is not a whole number",
     Negative "negative" "a coordinate is negative",
@@ -87,17 +87,7 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     add(Word::Far, numbers.iter().any(|x| x.abs() > 1e8));
     if exchange.function == "sign_of_sum" {
         add_sum(&mut add, &numbers);
-        for (than, word) in [
-            (3, Word::Numbers3),
-            (4, Word::Numbers4),
-            (5, Word::Numbers5),
-            (8, Word::Numbers8),
-            (12, Word::Numbers12),
-            (16, Word::Numbers16),
-            (64, Word::Numbers64),
-        ] {
-            add(word, numbers.len() > than);
-        }
+        set.more(VOCABULARY, "numbers_N", numbers.len());
         return Some(set.bits());
     }
     add(Word::Fraction, numbers.iter().any(|x| x.fract() != 0.0));

@@ -31,26 +31,21 @@ impl Judge for Predicates {
     }
 
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let suite = |name: &'static str, tests: &'static [&'static str]| {
-            let mut asked = Asked::fixed(fixed(name));
-            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, _| random(name, seed)));
-            Suite { name, tests, asked }
+        let suite = |tests: &'static [&'static str]| {
+            let name = tests[0];
+            Suite::of(tests, Asked::fixed_and_seeded(fixed(name), plan, RANDOM, |seed, _| random(name, seed)))
         };
         vec![
-            suite("parallelogram_area", &["parallelogram_area"]),
-            suite("triangle_area", &["triangle_area"]),
-            suite("turn", &["turn"]),
-            suite("in_triangle", &["in_triangle"]),
-            suite("in_circle", &["in_circle"]),
-            suite("sign_of_sum", &["sign_of_sum"]),
-            suite("orient2d_exact", &["orient2d_exact"]),
-            suite("filter", &["filter"]),
-            suite("orient2d", &["orient2d"]),
-            Suite {
-                name: MAP,
-                tests: &[MAP],
-                asked: Asked::fixed([Case::new("wrong_signs.map", Start::none()).step(Step::Svg)]),
-            },
+            suite(&["parallelogram_area"]),
+            suite(&["triangle_area"]),
+            suite(&["turn"]),
+            suite(&["in_triangle"]),
+            suite(&["in_circle"]),
+            suite(&["sign_of_sum"]),
+            suite(&["orient2d_exact"]),
+            suite(&["filter"]),
+            suite(&["orient2d"]),
+            Suite::of(&[MAP], Asked::fixed([Case::new("wrong_signs.map", Start::none()).step(Step::Svg)])),
         ]
     }
 

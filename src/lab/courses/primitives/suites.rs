@@ -152,7 +152,6 @@ fn asked(test: &str, function: &str, make: Made, plan: &Plan) -> Vec<Asked> {
     let mut order = Random::new(0, test);
     let known = surfaces().into_iter().chain(large()).enumerate();
     let fixed = known.flat_map(|(i, table)| make(&format!("{test}.{i}"), function, &table, &mut order));
-    let mut out = Asked::fixed(fixed.collect::<Vec<_>>());
     let some = |seed: u64, count: usize| {
         let mut numbers = Random::new(seed, test);
         let mut all = Vec::new();
@@ -162,8 +161,7 @@ fn asked(test: &str, function: &str, make: Made, plan: &Plan) -> Vec<Asked> {
         }
         all
     };
-    out.extend(Asked::from_seeds(plan, RANDOM, some));
-    out
+    Asked::fixed_and_seeded(fixed.collect::<Vec<_>>(), plan, RANDOM, some)
 }
 
 fn shapes(function: &str, numbers: &[&[usize]]) -> Vec<Asked> {
@@ -196,7 +194,6 @@ fn revolved(plan: &Plan) -> Vec<Asked> {
         small.extend(kinds.filter_map(|kind| case(sides, rings, kind, &mut fixed)));
     }
     small.extend([(3, 3), (4, 3), (3, 5), (20, 15)].iter().filter_map(|&(n, m)| case(n, m, None, &mut fixed)));
-    let mut out = Asked::fixed(small);
     let some = |seed: u64, count: usize| {
         let mut numbers = Random::new(seed, REVOLVE);
         let mut all = Vec::new();
@@ -207,13 +204,11 @@ fn revolved(plan: &Plan) -> Vec<Asked> {
         }
         all
     };
-    out.extend(Asked::from_seeds(plan, RANDOM, some));
-    out
+    Asked::fixed_and_seeded(small, plan, RANDOM, some)
 }
 
 impl Judge for Primitives {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let suite = |name, tests, asked| Suite { name, tests, asked };
         let count: Made = |name, function, table, _| vec![counted(name.to_owned(), table, function)];
         let sizes = [(1, 1), (2, 1), (1, 2), (2, 2), (3, 2), (2, 4), (5, 5)];
         let all = sizes.iter().flat_map(|&(n, m)| [to_fill("fill", n, m, false), to_fill("fill", n, m, true)]);
@@ -228,24 +223,24 @@ impl Judge for Primitives {
         divide.extend(asked("divide", "divide", one, plan));
         let drawn = Case::new("picture", start(&Table::from_view(&Dcel::torus()))).step(Step::Svg);
         vec![
-            suite("seeds", &["seeds"], rings),
-            suite("split_vertex", &["split_vertex"], asked("split_vertex", "split_vertex", on, plan)),
-            suite("split_face", &["split_face"], asked("split_face", "split_face", on, plan)),
-            suite(LARGE, &[LARGE], Asked::fixed([costs::questions()])),
-            suite("euler", &["euler"], asked("euler", "euler", count, plan)),
-            suite("genus", &["genus"], asked("genus", "genus", count, plan)),
-            suite("pole", &["pole"], asked("pole", "pole", one, plan)),
-            suite("divide", &["divide"], divide),
-            suite("fill", &["fill"], Asked::fixed(fill)),
-            suite("grid", &["grid"], shapes("grid", cells)),
-            suite("torus", &["torus"], shapes("torus", wrapped)),
-            suite("extrude", &["extrude"], asked("extrude", "extrude", one, plan)),
-            suite("cylinder", &["cylinder"], shapes("cylinder", two)),
-            suite("cube", &["cube"], shapes("cube", &[&[1], &[2], &[3], &[8]])),
-            suite("cone", &["cone"], shapes("cone", two)),
-            suite("sphere", &["sphere"], shapes("sphere", bands)),
-            suite(REVOLVE, &[REVOLVE], revolved(plan)),
-            suite(PICTURE, &[PICTURE], Asked::fixed([drawn])),
+            Suite::of(&["seeds"], rings),
+            Suite::of(&["split_vertex"], asked("split_vertex", "split_vertex", on, plan)),
+            Suite::of(&["split_face"], asked("split_face", "split_face", on, plan)),
+            Suite::of(&[LARGE], Asked::fixed([costs::questions()])),
+            Suite::of(&["euler"], asked("euler", "euler", count, plan)),
+            Suite::of(&["genus"], asked("genus", "genus", count, plan)),
+            Suite::of(&["pole"], asked("pole", "pole", one, plan)),
+            Suite::of(&["divide"], divide),
+            Suite::of(&["fill"], Asked::fixed(fill)),
+            Suite::of(&["grid"], shapes("grid", cells)),
+            Suite::of(&["torus"], shapes("torus", wrapped)),
+            Suite::of(&["extrude"], asked("extrude", "extrude", one, plan)),
+            Suite::of(&["cylinder"], shapes("cylinder", two)),
+            Suite::of(&["cube"], shapes("cube", &[&[1], &[2], &[3], &[8]])),
+            Suite::of(&["cone"], shapes("cone", two)),
+            Suite::of(&["sphere"], shapes("sphere", bands)),
+            Suite::of(&[REVOLVE], revolved(plan)),
+            Suite::of(&[PICTURE], Asked::fixed([drawn])),
         ]
     }
 

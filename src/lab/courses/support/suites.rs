@@ -86,11 +86,11 @@ impl Judge for SupportJudge {
     }
 
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let edits = |name: &'static str, tests: &'static [&'static str], fixed: &[(&str, &str)], kinds: [usize; 4]| {
-            let mut asked = Asked::fixed(
-                fixed.iter().enumerate().filter_map(|(i, (on, lines))| shown(&format!("{on}.{name}_{i}"), lines)),
-            );
-            let sequences = |seed: u64| {
+        let edits = |tests: &'static [&'static str], fixed: &[(&str, &str)], kinds: [usize; 4]| {
+            let name = tests[0];
+            let fixed = fixed.iter().enumerate();
+            let fixed = fixed.filter_map(|(i, (on, lines))| shown(&format!("{on}.{name}_{i}"), lines));
+            let sequences = |seed: u64, _| {
                 let mut random = Random::new(seed, name);
                 let on = ["empty", "tetrahedron", "loose", "gem", "cube_1", "bow"];
                 (0..SEQUENCES)
@@ -99,19 +99,18 @@ impl Judge for SupportJudge {
                     .filter(|case| case.steps.len() > 1)
                     .collect::<Vec<_>>()
             };
-            asked.extend(Asked::from_seeds(plan, SEQUENCES, |seed, _| sequences(seed)));
-            Suite { name, tests, asked }
+            Suite::of(tests, Asked::fixed_and_seeded(fixed, plan, SEQUENCES, sequences))
         };
-        let mut remove_vertex = edits("remove_vertex", &["remove_vertex"], REMOVE_VERTEX, [1, 0, 0, 3]);
+        let mut remove_vertex = edits(&["remove_vertex"], REMOVE_VERTEX, [1, 0, 0, 3]);
         remove_vertex
             .asked
             .extend(Asked::fixed(with_reads("cube_45.remove_vertex", ["remove_vertex 9000", "remove_vertex 11000"])));
-        let mut remove_face = edits("remove_face", &["remove_face"], REMOVE_FACE, [0, 0, 1, 0]);
+        let mut remove_face = edits(&["remove_face"], REMOVE_FACE, [0, 0, 1, 0]);
         remove_face.asked.extend(Asked::fixed(with_reads(
             "cube_45.remove_face",
             ["remove_face 9000 9001", "remove_face 11000 11001"],
         )));
-        let mut many_edits = edits("many_edits", &["many_edits"], MANY_EDITS, [3, 6, 4, 1]);
+        let mut many_edits = edits(&["many_edits"], MANY_EDITS, [3, 6, 4, 1]);
         // The long sequence decides: short ones are there to be read.
         many_edits.asked.retain(|asked| {
             let number = asked.case.name.rsplit('_').next().and_then(|number| number.parse().ok());
@@ -121,19 +120,18 @@ impl Judge for SupportJudge {
         let many = random_edits("empty", "many_edits", [4, 6, 3, 1], MANY, LOOK, &mut random);
         many_edits.asked.extend(Asked::random(many));
         vec![
-            edits("add_vertex", &["add_vertex"], ADD_VERTEX, [1, 0, 0, 0]),
-            edits("add_face", &["add_face"], ADD_FACE, [1, 4, 0, 0]),
+            edits(&["add_vertex"], ADD_VERTEX, [1, 0, 0, 0]),
+            edits(&["add_face"], ADD_FACE, [1, 4, 0, 0]),
             remove_face,
             remove_vertex,
             many_edits,
-            Suite { name: "support_by_scan", tests: &["support_by_scan"], asked: heights("support_by_scan", plan) },
-            Suite { name: "climb", tests: &["climb"], asked: heights("climb", plan) },
-            Suite { name: "support", tests: &["support"], asked: heights("support", plan) },
-            Suite {
-                name: "climb_svg",
-                tests: &["climb_svg"],
-                asked: Asked::fixed(Some(Case::new("gem.climb_svg", gem().start()).step(Step::Dump).step(Step::Svg))),
-            },
+            Suite::of(&["support_by_scan"], heights("support_by_scan", plan)),
+            Suite::of(&["climb"], heights("climb", plan)),
+            Suite::of(&["support"], heights("support", plan)),
+            Suite::of(
+                &["climb_svg"],
+                Asked::fixed(Some(Case::new("gem.climb_svg", gem().start()).step(Step::Dump).step(Step::Svg))),
+            ),
         ]
     }
 
@@ -387,20 +385,19 @@ fn heights(function: &str, plan: &Plan) -> Vec<Asked> {
         }
         asked.push(case);
     }
-    let mut all = Asked::fixed(asked);
-    let random = |seed: u64| {
+    let random = |seed: u64, _| {
         let mut random = Random::new(seed, function);
-        start("cube_4").map(|start| {
+        let case = start("cube_4").map(|start| {
             let mut case = Case::new(format!("cube_4.{function}_random"), start.start.clone()).step(Step::Dump);
             for _ in 0..40 {
                 let d = [0; 3].map(|_| random.below(7) as f64 - 3.0);
                 case = case.step(question(function, random.below(98), d));
             }
             case
-        })
+        });
+        Vec::from_iter(case)
     };
-    all.extend(Asked::random(random(plan.seed)));
-    all.extend(plan.secret.iter().flat_map(|secret| Asked::hidden(random(secret.seed))));
+    let mut all = Asked::fixed_and_seeded(asked, plan, 1, random);
     if function != "support_by_scan" {
         let large = start("cube_45").map(|start| {
             let mut case = Case::new(format!("cube_45.{function}"), start.start.clone());

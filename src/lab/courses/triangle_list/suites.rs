@@ -73,10 +73,10 @@ impl Judge for TriangleList {
         let vertices = (whole::CELLS + 1) * (whole::CELLS + 1);
         let mut large = Case::new("from_faces.large", Start::line(format!("vertices {vertices}")));
         large.steps.extend(whole::large_steps());
-        suites.push(Suite { name: "from_faces_large", tests: &["from_faces_large"], asked: Asked::fixed([large]) });
+        suites.push(Suite::of(&["from_faces_large"], Asked::fixed([large])));
         let picture = Case::new("picture", Start::line(format!("points{}", starts::points(&drawing::POINTS))));
         let picture = picture.step(Step::call("from_faces", drawing::soup().words())).step(Step::Svg);
-        suites.push(Suite { name: "structure_svg", tests: &["structure_svg"], asked: Asked::fixed([picture]) });
+        suites.push(Suite::of(&["structure_svg"], Asked::fixed([picture])));
         suites
     }
 
@@ -147,7 +147,6 @@ fn asked(name: &str, named: &[Named], [fits, small]: [Fits; 2], case: CaseOf, pl
     let mut all: Vec<Case> = named.iter().map(|(of, soup)| case(format!("{name}.{of}"), soup, &mut order)).collect();
     let every = lists::exhaustive().into_iter().filter(small).enumerate();
     all.extend(every.map(|(i, soup)| case(format!("{name}.four_vertices.{i}"), &soup, &mut order)));
-    let mut out = Asked::fixed(all);
     let random = |seed, count| {
         let mut numbers = Random::new(seed, name);
         let mut all = Vec::new();
@@ -160,8 +159,7 @@ fn asked(name: &str, named: &[Named], [fits, small]: [Fits; 2], case: CaseOf, pl
         }
         all
     };
-    out.extend(Asked::from_seeds(plan, RANDOM, random));
-    out
+    Asked::fixed_and_seeded(all, plan, RANDOM, random)
 }
 
 fn vertices(soup: &Soup) -> Start {

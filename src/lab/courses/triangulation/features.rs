@@ -57,15 +57,15 @@ crate::features! {
     SecondRound "second_round" "who goes round once, cutting off ears, has not cut off all",
     TakesNonEar "takes_non_ear" "a convex corner is no ear",
     Fraction "fraction" "a coordinate is not a whole number",
-    Corners3 "corners_3" "the polygon has more than 3 corners",
-    Corners4 "corners_4" "the polygon has more than 4 corners",
-    Corners5 "corners_5" "the polygon has more than 5 corners",
-    Corners6 "corners_6" "the polygon has more than 6 corners",
-    Corners8 "corners_8" "the polygon has more than 8 corners",
-    Corners12 "corners_12" "the polygon has more than 12 corners",
-    Corners16 "corners_16" "the polygon has more than 16 corners",
-    Corners32 "corners_32" "the polygon has more than 32 corners",
-    Corners64 "corners_64" "the polygon has more than 64 corners",
+    _Corners3 "corners_3" "the polygon has more than 3 corners",
+    _Corners4 "corners_4" "the polygon has more than 4 corners",
+    _Corners5 "corners_5" "the polygon has more than 5 corners",
+    _Corners6 "corners_6" "the polygon has more than 6 corners",
+    _Corners8 "corners_8" "the polygon has more than 8 corners",
+    _Corners12 "corners_12" "the polygon has more than 12 corners",
+    _Corners16 "corners_16" "the polygon has more than 16 corners",
+    _Corners32 "corners_32" "the polygon has more than 32 corners",
+    _Corners64 "corners_64" "the polygon has more than 64 corners",
     Numbers255 "numbers_255" "there are corners with numbers above 255",
 }
 
@@ -77,19 +77,7 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let corners = cycle(records, first)?;
     let mut set = FeatureSet::default();
     let n = corners.len();
-    for (than, word) in [
-        (3, Word::Corners3),
-        (4, Word::Corners4),
-        (5, Word::Corners5),
-        (6, Word::Corners6),
-        (8, Word::Corners8),
-        (12, Word::Corners12),
-        (16, Word::Corners16),
-        (32, Word::Corners32),
-        (64, Word::Corners64),
-    ] {
-        set.add(word as u32, n > than);
-    }
+    set.more(VOCABULARY, "corners_N", n);
     let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     add(Word::Numbers255, records.len(0) > 256);
     add(Word::NotZero, first != 0);

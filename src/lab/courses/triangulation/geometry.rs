@@ -17,36 +17,26 @@ pub fn on_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> bool {
     between(0) && between(1) && turn(a, b, p) == 0
 }
 
-/// What is wrong with a line between two corners of a polygon as a diagonal.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Diagonal {
-    /// Nothing.
-    Yes,
-    /// Both are the same corner.
-    Same,
-    /// They are neighbours.
-    Side,
-    /// It begins outside of the polygon.
-    Outside,
-    /// Another corner lies on it.
-    Touches,
-    /// It crosses a side.
-    Crosses,
-}
-
-impl Diagonal {
-    /// The reason, as the end of a sentence.
-    #[must_use]
-    pub fn because(self) -> &'static str {
-        match self {
-            Self::Yes => "the line between the two corners lies inside and touches nothing",
-            Self::Same => "both are the same corner",
-            Self::Side => "it is a side of the polygon",
-            Self::Outside => "it begins outside of the polygon",
-            Self::Touches => "another corner lies on the line between the two",
-            Self::Crosses => "it crosses a side",
-        }
+dcel_kit::named! {
+    /// What is wrong with a line between two corners of a polygon as a diagonal.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+    pub enum Diagonal {
+        /// Nothing.
+        Yes = "the line between the two corners lies inside and touches nothing",
+        /// Both are the same corner.
+        Same = "both are the same corner",
+        /// They are neighbours.
+        Side = "it is a side of the polygon",
+        /// It begins outside of the polygon.
+        Outside = "it begins outside of the polygon",
+        /// Another corner lies on it.
+        Touches = "another corner lies on the line between the two",
+        /// It crosses a side.
+        Crosses = "it crosses a side",
     }
+
+    /// The reason, as the end of a sentence.
+    fn because;
 }
 
 /// Whether the line between the corners i and j of a polygon is a diagonal.

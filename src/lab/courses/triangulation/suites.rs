@@ -46,10 +46,10 @@ impl Judge for Triangulation {
     }
 
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let suite = |name: &'static str, tests: &'static [&'static str], fixed: Vec<Case>| {
-            let mut asked = Asked::fixed(fixed);
-            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, _| random(name, seed)));
-            Suite { name, tests, asked }
+        let suite = |name: &'static str, tests: &'static [&'static str], fixed: Vec<Case>| Suite {
+            name,
+            tests,
+            asked: Asked::fixed_and_seeded(fixed, plan, RANDOM, |seed, _| random(name, seed)),
         };
         let picture =
             Case::new("triangulation", start(&DRAWING)).step(Step::call("triangulate", ["c0"])).step(Step::Svg);
@@ -59,7 +59,7 @@ impl Judge for Triangulation {
             suite("is_diagonal", &["is_diagonal"], reading_cases("is_diagonal")),
             suite("is_ear", &["is_ear"], reading_cases("is_ear")),
             suite("triangulate", &["triangulate"], soup_cases()),
-            Suite { name: PICTURE, tests: &[PICTURE], asked: Asked::fixed([picture]) },
+            Suite::of(&[PICTURE], Asked::fixed([picture])),
         ]
     }
 

@@ -86,7 +86,7 @@ fn of_cell(table: &Table, v: VertexId, set: &mut FeatureSet) -> Option<()> {
     let (corners, open) = cells::cell(table, v)?;
     set.either(Word::Border as u32, Word::NotBorder as u32, open);
     set.either(Word::OneTriangle as u32, Word::SeveralTriangles as u32, corners.len() < 2);
-    set.more(corners.len(), [(8, Word::Degree8 as u32)]);
+    set.add(Word::Degree8 as u32, corners.len() > 8);
     set.add(Word::Backwards as u32, cells::differs_backwards(table, v)?);
     set.add(Word::FromStored as u32, cells::differs_from_stored(table, v)?);
     let stored = table.outgoing(v)?;

@@ -38,11 +38,7 @@ pub(super) fn of_points(name: &str, points: &[[f64; 2]]) -> Option<Given> {
 /// The same with another number for the outer face, that of a triangle; every record is written out.
 pub(super) fn with_outer_face(name: &str, points: &[[f64; 2]], number: u32) -> Option<Given> {
     let built = delaunay(points)?;
-    let mut table = Table::from_view(&built);
-    for (v, row) in built.vertices().zip(&mut table.vertices) {
-        let p = built.point(v);
-        row.as_mut()?.position = Some([p.x, p.y]);
-    }
+    let mut table = Table::from_planar_view(&built);
     let outer = table.outer_face?;
     let number = FaceId::new(number);
     let exchanged = |f: FaceId| match f {
@@ -81,22 +77,10 @@ pub(super) fn fixed() -> Vec<Given> {
     all.push(("far", vec![[far, far], [far + 5., far - 1.], [far + 6., far + 4.], [far + 1., far + 5.]]));
     all.push(("fan", (0..40).map(|k| [f64::from(k), f64::from(k * k)]).chain([[-300., 800.]]).collect()));
     let mut random = Random::new(8, "large");
-    all.push(("large", places(&mut random, 160, 10_000)));
+    all.push(("large", random.places(160, 10_000)));
     let mut all: Vec<Given> = all.into_iter().filter_map(|(name, points)| of_points(name, &points)).collect();
     all.extend(with_outer_face("outer_last", &[[0., 0.], [9., 0.], [3., 8.], [4., 3.]], 3));
     all.extend(with_outer_face("outer_between", &square(3), 4));
-    all
-}
-
-/// So many different points with whole coordinates.
-fn places(random: &mut Random, count: usize, size: usize) -> Vec<[f64; 2]> {
-    let mut all: Vec<[f64; 2]> = Vec::new();
-    while all.len() < count {
-        let p = [random.below(size) as f64, random.below(size) as f64];
-        if !all.contains(&p) {
-            all.push(p);
-        }
-    }
     all
 }
 
@@ -104,7 +88,7 @@ fn places(random: &mut Random, count: usize, size: usize) -> Vec<[f64; 2]> {
 pub(super) fn random(random: &mut Random, name: &str, most: usize) -> Option<Given> {
     let count = 4 + random.below(most);
     let size = if random.below(2) == 0 { 7 } else { 1000 };
-    let places = places(random, count, size);
+    let places = random.places(count, size);
     // About every third time the outer face has another number than 0.
     let faces = delaunay(&places)?.faces().count();
     match random.below(3) {

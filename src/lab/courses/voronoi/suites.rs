@@ -39,15 +39,17 @@ pub static VORONOI: VoronoiDiagrams = VoronoiDiagrams;
 impl Judge for VoronoiDiagrams {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |function: &'static Function| {
-            let mut asked = Asked::fixed(fixed(function.word));
-            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, count| random(function.word, seed, count)));
+            let random = |seed, count| random(function.word, seed, count);
             // Each suite decides the one test that has the function's name.
-            Suite { name: function.test, tests: std::slice::from_ref(&function.test), asked }
+            Suite::of(
+                std::slice::from_ref(&function.test),
+                Asked::fixed_and_seeded(fixed(function.word), plan, RANDOM, random),
+            )
         };
         let mut suites: Vec<Suite> = FUNCTIONS.iter().map(suite).collect();
-        suites.push(Suite { name: LARGE, tests: &[LARGE], asked: Asked::fixed([costs::questions()]) });
+        suites.push(Suite::of(&[LARGE], Asked::fixed([costs::questions()])));
         let drawn = Case::new(PICTURE, Start::line("sites")).step(Step::Dump).step(Step::Svg);
-        suites.push(Suite { name: PICTURE, tests: &[PICTURE], asked: Asked::fixed([drawn]) });
+        suites.push(Suite::of(&[PICTURE], Asked::fixed([drawn])));
         suites
     }
 
