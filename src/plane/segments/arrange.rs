@@ -6,6 +6,7 @@ use super::crossed::Cuts;
 use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
+use super::settled::where_nothing_meets;
 use super::split::split as split_all;
 use super::trace::{Seen, look, trace};
 use super::{ArrangeOptions, Arranged};
@@ -130,8 +131,9 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     }
     let whole = graph.edges.len();
     let (split, seen) = match cuts {
-        Some(cuts) if !cuts.is_empty() => split_all(&mut graph, None, Some(cuts))?,
-        _ => {
+        Some(cuts) if cuts.is_empty() => (Split::none(whole), where_nothing_meets(&graph)?),
+        Some(cuts) => split_all(&mut graph, None, Some(cuts))?,
+        None => {
             let seen = look(&graph)?;
             if options.split && (seen.intersection.is_some() || grid.is_some()) {
                 pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));

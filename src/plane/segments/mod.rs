@@ -23,7 +23,7 @@
 //!   holes.rs     Marking hole faces
 //!   part.rs      The subdivision of some of the edges of another
 //!   pixels.rs    The hot pixels that a segment passes
-//!   settled.rs   A look at a graph of which only some edges are new
+//!   settled.rs   A look at a graph of which only some edges are new, or none
 //!   touching.rs  Points that lie inside the sides of polygons
 //!   watched.rs   The sweep by itself, for who watches it
 //! ```

@@ -1,4 +1,4 @@
-//! A look at a graph of which only some edges are new: without a sweep.
+//! A look at a graph of which only some edges are new, or none: without a sweep.
 //!
 //! ```text
 //!      ╲   ╱        edges that end at a crossing have moved by its rounding: they are compared with all that
@@ -21,6 +21,13 @@ pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<S
     if !Cuts::without_sweep(graph, is_straight).is_ok_and(|cuts| cuts.is_empty()) {
         return Ok(None);
     }
+    where_nothing_meets(graph).map(Some)
+}
+
+/// A look at a graph in which nothing meets but at common ends.
+///
+/// Cost: O(n), and O(d log d) for a vertex with d edges.
+pub(super) fn where_nothing_meets(graph: &Graph) -> Result<Seen, TooMany> {
     let Graph { points, edges, .. } = graph;
     let mut one_rings = OneRings::new(graph)?;
     let origins = edges.as_flattened();
@@ -35,5 +42,5 @@ pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<S
         });
         one_rings.link_all(point, ring.iter().copied());
     }
-    Ok(Some(Seen::without_sweep(one_rings)))
+    Ok(Seen::without_sweep(one_rings))
 }

@@ -10,8 +10,8 @@ use std::ops::ControlFlow;
 /// The sweep that finds where segments cross, watched: its event points from left to right. Segments are numbered as they
 /// are given; those without length are event points only, of equal ones the first takes part.
 ///
-/// This is the sweep with which [`arrange_segments`](crate::plane::Subdivision::arrange_segments) splits segments where they
-/// are too many for cells of a grid.
+/// This is the sweep with which [`arrange_segments`](crate::plane::Subdivision::arrange_segments) splits segments where cells
+/// of a grid do not do.
 ///
 /// Cost: O((n + k) log n) besides what the observer does.
 ///
