@@ -55,6 +55,7 @@
 //!   valid.rs       Values that browsers drop
 //!   values.rs      Values that browsers work out and a comparison does not
 //!   viewport.rs    Viewports
+//!   windows.rs     Holes in faces that the reference fills
 //!   yours.rs       What was handed in, drawn small beside the differences
 //! ```
 #![doc = include_str!("../../figures/difference.svg")]
@@ -195,6 +196,7 @@ mod servers;
 mod shape;
 mod sketch;
 mod snap;
+mod sparse;
 mod spelling;
 mod standing;
 mod strangers;
@@ -207,6 +209,7 @@ mod transform;
 mod valid;
 mod values;
 mod viewport;
+mod windows;
 mod yours;
 
 pub use answer::Comparison;

@@ -14,10 +14,12 @@
 //!   axes.rs    Axes of matplotlib
 //!   clips.rs   Clip paths
 //!   foreign.rs What stands in a foreignObject
+//!   heads.rs   Heads of arrows
 //!   lengths.rs Lengths of elements, by style and by attribute
 //!   marks.rs   Markers and letters
 //!   ovals.rs   Closed paths that are ellipses
 //!   reuse.rs   What stands somewhere else than where it is drawn
+//!   rims.rs    Lines that end at the rims of boxes
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
 //!   stamps.rs  Vertices drawn as squares or crosses
@@ -26,10 +28,12 @@
 mod axes;
 mod clips;
 mod foreign;
+mod heads;
 mod lengths;
 mod marks;
 mod ovals;
 mod reuse;
+mod rims;
 mod root;
 mod shapes;
 mod stamps;
@@ -112,6 +116,8 @@ pub(in crate::compare) struct Line {
     pub(in crate::compare) shape: u32,
     /// Whether that element has curves, too.
     pub(in crate::compare) curved: bool,
+    /// The coats of its dashes, from the first to before the last, if they draw hardly anything of it.
+    pub(in crate::compare) dashes: [u32; 2],
 }
 
 /// A filled outline.
