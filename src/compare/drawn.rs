@@ -125,7 +125,7 @@ impl<'a> Target<'a> {
             windows::excuse(windows, drawing, &found.beside, &best.frame);
         }
         let partner = |m: u32| matched.to_expected[m as usize];
-        for (edge, _) in unseen.edges {
+        for (edge, _) in unseen.edges.into_iter().filter(|(edge, _)| !found.sparse.contains_key(edge)) {
             if let [Some(a), Some(b)] = edge.map(partner) {
                 out.edges.insert([a.min(b), a.max(b)]);
             }
@@ -415,7 +415,8 @@ impl<'a> Target<'a> {
         let excused = self.excused(&mut unseen.windows)?;
         let partner = |m: u32| matched.to_expected[m as usize];
         unseen.edges.retain(|&(edge, why)| {
-            let [Some(a), Some(b)] = edge.map(partner) else { return true };
+            let is_sparse = found.sparse.contains_key(&edge);
+            let [Some(a), Some(b)] = edge.map(partner).map(|v| v.filter(|_| !is_sparse)) else { return true };
             let merged = excused.merges && matches!(why, Hidden::Line | Hidden::Paper | Hidden::Ends);
             !merged && !excused.edges.contains(&[a.min(b), a.max(b)])
         });

@@ -102,6 +102,12 @@ pub(super) fn reversed(ring: &[u32]) -> Vec<u32> {
     canonical(&ring.iter().rev().copied().collect::<Vec<_>>())
 }
 
+/// The corners of an outline, each once.
+pub(super) fn open(points: &[Point]) -> &[Point] {
+    let closed = points.len() > 1 && points.first() == points.last();
+    &points[..points.len() - usize::from(closed)]
+}
+
 /// Twice the signed area, positive if the outline runs counter-clockwise with y up.
 pub(super) fn area(points: impl Iterator<Item = Point> + Clone) -> f64 {
     let Some(base) = points.clone().next() else { return 0.0 };

@@ -8,11 +8,11 @@
 //! Where the tip is at a vertex, and nothing else ends at the outer corners, the head is taken for a marker, which is no
 //! part of the structure, and the line ends where the ink of the tip does.
 
-use super::stamps::open;
 use super::{Drawing, Line};
 use crate::compare::ends::Circles;
 use crate::compare::painting::{Mark, Part, Shape};
 use crate::compare::pairing::{Places, distance, span};
+use crate::compare::rings::open;
 use crate::geometry::point::corners;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -34,6 +34,9 @@ const ANGLE: [f64; 2] = [0.12, 0.87];
 struct Head {
     /// The number of its line, and which end of that.
     shaft: (usize, usize),
+    /// Where its line ends as it is drawn, and whether that is at the tip.
+    was: Point,
+    is_at_tip: bool,
     /// How far its ink reaches.
     tip: Point,
     /// The lines that draw it.
@@ -83,8 +86,8 @@ impl Heads {
     }
 
     /// Takes off the heads at vertices, and lets their lines end there. Returns which lines are gone. `coats` says what
-    /// each shape painted.
-    pub(super) fn take_off(self, drawing: &mut Drawing, coats: &[Range<u32>]) -> Vec<bool> {
+    /// each shape painted; `stamps` are the shapes of vertices, sorted.
+    pub(super) fn take_off(self, drawing: &mut Drawing, coats: &[Range<u32>], stamps: &[u32]) -> Vec<bool> {
         let mut gone = vec![false; drawing.lines.len()];
         if self.all.is_empty() {
             return gone;
@@ -95,14 +98,19 @@ impl Heads {
         let places = Places::of(&dots.iter().map(|dot| dot.0).collect::<Vec<_>>(), NEAR * size);
         let mut circles = Circles::new(dots, ASIDE * size);
         let strokes = strokes(drawing);
-        for Head { shaft: (number, end), tip, lines, shape } in self.all {
+        for Head { shaft: (number, end), was, is_at_tip, tip, lines, shape } in self.all {
+            if shape.is_some_and(|shape| stamps.binary_search(&shape).is_ok()) {
+                continue;
+            }
             let line = drawing.lines[number];
             let (own, other) = (line.ends[end], line.ends[1 - end]);
             let reach = line.half + NEAR * size;
             let near = |p: Point| places.near(p, NEAR * size).map(|i| places.points()[i as usize]);
-            let vertex = near(own).or_else(|| near(tip));
-            let vertex = vertex.or_else(|| circles.aimed(tip, other, reach, ASIDE * size));
-            let Some(at) = vertex.or_else(|| circles.aimed(own, other, reach, ASIDE * size)) else { continue };
+            // A line that ends at the base of its head has to reach its vertex by that, unless it was brought there.
+            let is_near = is_at_tip || was != own;
+            let mut aimed = |p: Point| circles.aimed(p, other, reach, ASIDE * size);
+            let vertex = near(own).filter(|_| is_near).or_else(|| near(tip)).or_else(|| aimed(tip));
+            let Some(at) = vertex.or_else(|| aimed(own).filter(|_| is_near)) else { continue };
             let key = stroke(line.ends);
             drawing.lines[number].ends[end] = at;
             let painting = &mut drawing.painting;
@@ -209,9 +217,15 @@ impl<'a> Around<'a> {
         if off(notch) > FIT * long || inside < -FIT * long * long || !self.is_free(sides, own) {
             return None;
         }
-        let shaft = [tip, base, notch, middle([tip, base])].into_iter().find_map(|p| self.shaft(p, tip, base))?;
-        let inked = ahead(base, tip, half / sine);
-        Some(Head { shaft, tip: inked, lines: own.to_vec(), shape: None })
+        let shaft = [tip, base, notch].into_iter().find_map(|p| self.shaft(p, tip, base))?;
+        Some(self.head(shaft, [base, tip], half / sine, own.to_vec()))
+    }
+
+    /// The head from base to tip of these lines, whose ink reaches farther by so much.
+    fn head(&self, shaft: (usize, usize), [base, tip]: [Point; 2], more: f64, lines: Vec<usize>) -> Head {
+        let was = self.drawing.lines[shaft.0].ends[shaft.1];
+        let is_at_tip = distance(was, tip) <= NEAR * self.size;
+        Head { shaft, was, is_at_tip, tip: ahead(base, tip, more), lines, shape: None }
     }
 
     /// The long line that ends at a place of a head from base to tip, and which end of it that is.
@@ -239,10 +253,10 @@ impl<'a> Around<'a> {
     /// Pairs of strokes that may be heads.
     fn strokes(&self) -> Vec<Head> {
         let is_short = |(i, _): &(usize, usize)| length(&self.drawing.lines[*i]) <= SMALL * self.size;
-        let pairs = self.ends.values().filter(|all| matches!(all.len(), 2 | 3)).filter_map(|all| {
-            let mut short = all.iter().copied().filter(is_short).collect::<Vec<_>>();
+        let pairs = self.ends.values().filter(|all| all.len() > 1).filter_map(|all| {
+            let mut short = all.iter().copied().filter(is_short).take(4).collect::<Vec<_>>();
             // Of three, the longest is the line.
-            if short.len() == 3 {
+            if short.len() == 3 && all.len() == 3 {
                 short.sort_by(|a, b| length(&self.drawing.lines[a.0]).total_cmp(&length(&self.drawing.lines[b.0])));
                 short.pop();
             }
@@ -256,8 +270,7 @@ impl<'a> Around<'a> {
             let own = vec![a, b];
             let base = middle(sides);
             let shaft = self.shaft(tip, tip, base).filter(|(i, _)| !own.contains(i) && self.is_free(sides, &own))?;
-            let inked = ahead(base, tip, self.drawing.lines[a].half / sine);
-            Some(Head { shaft, tip: inked, lines: own, shape: None })
+            Some(self.head(shaft, [base, tip], self.drawing.lines[a].half / sine, own))
         };
         pairs.filter_map(head).collect()
     }

@@ -17,7 +17,7 @@ use super::{Dot, Drawing, Line};
 use crate::compare::eye::{FAINT, contrast};
 use crate::compare::painting::{Area, Coat, Disc, Part, Shape};
 use crate::compare::pairing::{Places, distance, distance_to, span};
-use crate::compare::rings;
+use crate::compare::rings::{self, open};
 use crate::geometry::point;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -90,7 +90,7 @@ struct Placed {
 pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
     let heads = Heads::of(drawing);
     let stamps = dots(drawing, coats, &heads);
-    let mut gone = heads.take_off(drawing, coats).into_iter();
+    let mut gone = heads.take_off(drawing, coats, &stamps).into_iter();
     let stays = |shape: u32| stamps.binary_search(&shape).is_err();
     drawing.lines.retain(|line| gone.next() != Some(true) && stays(line.shape));
     drawing.outlines.retain(|outline| stays(outline.shape));
@@ -252,12 +252,6 @@ fn stamps(drawing: &Drawing, size: f64) -> Vec<Stamp> {
     };
     let may_be = |stamp: &Stamp| stamp.frame.is_some() || stamp.is_small(largest);
     shapes.into_iter().filter_map(stamp).filter(may_be).collect()
-}
-
-/// The corners of an outline, each once.
-pub(super) fn open(points: &[Point]) -> &[Point] {
-    let closed = points.len() > 1 && points.first() == points.last();
-    &points[..points.len() - usize::from(closed)]
 }
 
 /// A figure of few corners about the middle of these, or about the middle of their box, if that lies well inside; which

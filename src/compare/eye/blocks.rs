@@ -70,8 +70,8 @@ fn blocks(eye: &Eye<'_>) -> Vec<u32> {
     let Some(first) = coats.iter().position(|coat| coat.part == Part::Line) else { return Vec::new() };
     let is_block = |(i, coat): &(u32, &Coat)| match &coat.shape {
         Shape::Area(area) => {
-            let is_free = matches!(coat.part, Part::Area | Part::Other) && coat.alpha > 0.5;
-            is_free
+            coat.part == Part::Area
+                && coat.alpha > 0.5
                 && eye.bars.binary_search(i).is_err()
                 && eye.paper.binary_search(i).is_err()
                 && coat.diameter() <= WHOLE * eye.span
