@@ -47,8 +47,8 @@ pub(super) fn labels(drawing: &Drawing, frame: &Frame, snap: &Snap, size: f64) -
             out.insert(outline.shape);
         }
     }
-    out.extend(rimmed(drawing, &is_apart, frame));
-    out.extend(halos(drawing, &is_apart, frame, NEAR * size));
+    out.extend(rimmed(drawing, is_apart, frame));
+    out.extend(halos(drawing, is_apart, frame, NEAR * size));
     out
 }
 

@@ -55,20 +55,23 @@ pub(super) fn parts<T: Copy + Ord>(ring: &[T]) -> Vec<Vec<T>> {
         return vec![ring.to_vec()];
     }
     let mut out = Vec::new();
-    // The outlines begun, each with the bridge that leads to it.
-    let mut open: Vec<(Option<(T, T)>, Vec<T>)> = vec![(None, Vec::new())];
+    // The outlines begun: the first, and one behind each bridge that leads there.
+    let (mut open, mut bridges) = (vec![Vec::new()], Vec::new());
     for (a, b) in (0..ring.len()).map(step) {
-        let is_back = open.last().is_some_and(|(bridge, _)| *bridge == Some((b, a)));
-        match open.last_mut() {
-            Some((_, part)) if !is_bridge((a, b)) => part.push(a),
-            _ if is_back => out.extend(open.pop().map(|(_, part)| part)),
-            _ => open.push((Some((a, b)), Vec::new())),
+        if !is_bridge((a, b)) {
+            open.last_mut().into_iter().for_each(|part| part.push(a));
+        } else if bridges.last() == Some(&(b, a)) {
+            bridges.pop();
+            out.extend(open.pop());
+        } else {
+            bridges.push((a, b));
+            open.push(Vec::new());
         }
     }
-    match open.pop() {
-        Some((None, part)) => out.push(part),
-        _ => return vec![ring.to_vec()],
+    if !bridges.is_empty() {
+        return vec![ring.to_vec()];
     }
+    out.extend(open.pop());
     out.retain(|part| part.len() > 2);
     out
 }
