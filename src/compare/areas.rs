@@ -12,7 +12,7 @@ use super::rings;
 use super::sketch::Outline;
 use super::strangers::translated;
 use crate::plane::Point;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// With more differing edges than this, no edge excuses a face.
 const EXCUSES: usize = 100;
@@ -58,10 +58,11 @@ impl Critic<'_> {
                 reversed.push((rings::reversed(&ring), ring, outline));
             }
         }
+        let welcome: BTreeSet<&Vec<u32>> = target.sketch.welcome.iter().collect();
         let mut outer = 0;
         for (ring, own, outline) in reversed {
             // The outer face and holes run the other way round, and may be drawn, too.
-            let is_welcome = target.sketch.welcome.contains(&own) || target.sketch.welcome.contains(&ring);
+            let is_welcome = welcome.contains(&own) || welcome.contains(&ring);
             match faces.get_mut(&ring) {
                 Some((i, count)) if *count == 0 => {
                     *count += 1;
@@ -98,6 +99,11 @@ impl Critic<'_> {
             let points = self.points(&outline.ring, &self.found.graph);
             let text = format!("filled polygon along {} is no face of the reference", target.writing().along(&points));
             self.say(Kind::Face, text, Spot::ExtraFace(points));
+        }
+        for window in self.windows {
+            let along = target.writing().along(&window.ring);
+            let text = format!("a hole along {along} is left where the reference fills a face");
+            self.say(Kind::Face, text, Spot::ExtraFace(window.ring.clone()));
         }
         let clockwise = [
             "runs clockwise: list its corners counter-clockwise",

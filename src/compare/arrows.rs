@@ -102,9 +102,11 @@ impl Arrow {
         }
     }
 
-    /// Whether half of a shaft is seen.
+    /// Whether half of a shaft is seen, its heads with it.
     pub(super) fn is_seen(&self, eye: &mut Eye<'_>, strays: &[Range<u32>]) -> bool {
-        self.shafts.iter().any(|shaft| eye.shows_along(&shaft.coats, shaft.line.ends, strays))
+        let mut heads: Vec<u32> = self.heads.iter().flat_map(|head| head.coats.iter().copied()).collect();
+        heads.sort_unstable();
+        self.shafts.iter().any(|shaft| eye.shows_along(&shaft.coats, &heads, shaft.line.ends, strays))
     }
 
     /// Whether a head is seen, on what lies below its own shafts.

@@ -16,6 +16,10 @@ const WITHIN: f64 = 1.0 / 3.0;
 const AT_END: f64 = 0.25;
 /// A dash shorter than this part of the gap behind it parts no gaps.
 const SPECK: f64 = 0.1;
+/// So many dashes and gaps of one line are looked at for its ink, beyond one turn of the pattern, and so many of its longest
+/// dashes are kept.
+const LOOKED: usize = 2048;
+const KEPT: usize = 32;
 
 /// Dashes and gaps by turns, an even number of lengths; none for a line without gaps.
 pub(super) fn read(text: &str) -> Rc<[f64]> {
@@ -104,6 +108,27 @@ impl Dashes<'_> {
             }
         }
         false
+    }
+
+    /// The longest dashes on such a line, if they are no shorter than `least`: from where to where. O(dashes).
+    pub(super) fn drawn(&self, from: f64, length: f64, least: f64) -> Vec<[f64; 2]> {
+        let mut out = Vec::new();
+        if self.draws_all(length) {
+            return out;
+        }
+        let mut at = -self.phase(from);
+        for i in 0..self.lengths.len() + LOOKED {
+            let next = at + self.length(i);
+            let dash = [at.max(0.0), next.min(length)];
+            out.extend((i % 2 == 0 && dash[1] - dash[0] >= least.max(f64::MIN_POSITIVE)).then_some(dash));
+            at = next;
+            if at >= length {
+                break;
+            }
+        }
+        out.sort_by(|a, b| (b[1] - b[0]).total_cmp(&(a[1] - a[0])));
+        out.truncate(KEPT);
+        out
     }
 }
 

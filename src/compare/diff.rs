@@ -37,6 +37,8 @@ const DRAWN: usize = 200;
 /// Radius of a badge, size of its number.
 const BADGE: f64 = 8.5;
 const NUMBER: f64 = 10.5;
+/// How far beside its edge the number of a half-edge stands.
+const BESIDE: f64 = 7.0;
 /// Size of the names of half-edges.
 const NAME: f64 = 10.0;
 /// Text beside the picture: size, distance of lines, width of the column, of its text.
@@ -98,9 +100,7 @@ impl Comparison {
         }
         sheet.names(table, listed);
         let over = std::mem::take(&mut sheet.over);
-        for (i, difference) in listed.iter().enumerate() {
-            sheet.badge(i + 1, difference);
-        }
+        let badges: Vec<bool> = (1..).zip(listed).map(|(number, difference)| sheet.badge(number, difference)).collect();
         let under = std::mem::take(&mut sheet.under);
         let mut nodes = plate.nodes(layout, &look, under);
         nodes.extend(over);
@@ -114,7 +114,7 @@ impl Comparison {
             scene.nodes.push(panel);
             top += height + 16.0;
         }
-        let height = self.list(xy(left, top), &mut scene.nodes);
+        let height = self.list(xy(left, top), &badges, &mut scene.nodes);
         scene.size = xy(scene.size.x + COLUMN, scene.size.y.max(height));
         let options = plate.picture.options;
         scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
@@ -125,8 +125,8 @@ impl Comparison {
         Figure { scene, detail: plate.picture.detail, notes: sheet.notes.0 }
     }
 
-    /// The sentences and the legend; returns how far down they reach.
-    fn list(&self, at: Xy, nodes: &mut Vec<Node>) -> f64 {
+    /// The sentences and the legend; returns how far down they reach. `badges` says which sentences have one in the picture.
+    fn list(&self, at: Xy, badges: &[bool], nodes: &mut Vec<Node>) -> f64 {
         let left = at.x;
         let mut column = Column { left, y: at.y + 10.0, nodes: Vec::new() };
         let count = self.differences.len();
@@ -137,7 +137,7 @@ impl Comparison {
         for (i, difference) in self.differences.iter().take(LISTED).enumerate() {
             let centre = xy(left + BADGE, column.y);
             // What has no place in the picture has no badge there, and so none here.
-            if place_of(&difference.spot).is_some() {
+            if badges.get(i) == Some(&true) {
                 column.nodes.extend(badge(centre, i + 1, colour(&difference.spot)));
             } else {
                 let number =
@@ -302,7 +302,7 @@ impl Sheet<'_, '_> {
             Spot::Face(points) => self.outline("miss", points),
             Spot::ExtraFace(points) => self.outline("extra", points),
             Spot::Many(spots) => spots.iter().for_each(|spot| self.draw(spot)),
-            Spot::Nowhere => {}
+            Spot::At(_) | Spot::Beside(_) | Spot::Nowhere => {}
         }
     }
 
@@ -394,9 +394,9 @@ impl Sheet<'_, '_> {
         }
     }
 
-    /// The number of a sentence, at the nearest free place.
-    fn badge(&mut self, number: usize, difference: &Difference) {
-        let Some(anchor) = place_of(&difference.spot).and_then(|spot| self.anchor(spot)) else { return };
+    /// The number of a sentence, at the nearest free place; whether there is one.
+    fn badge(&mut self, number: usize, difference: &Difference) -> bool {
+        let Some(anchor) = place_of(&difference.spot).and_then(|spot| self.anchor(spot)) else { return false };
         let size = self.plate.picture.fit.size;
         let inside = Bounds { min: xy(3.0, 3.0), max: size - xy(3.0, 3.0) };
         let steps = |n: i32| (-n..=n).map(|i| 5.0 * f64::from(i));
@@ -407,12 +407,17 @@ impl Sheet<'_, '_> {
         let at = places.iter().find(free).copied().unwrap_or(anchor);
         self.crowd.add(Shape::Disc(at, BADGE), u32::MAX);
         self.over.extend(badge(at, number, colour(&difference.spot)));
+        true
     }
 
     /// Where a badge should stand.
     fn anchor(&self, spot: &Spot) -> Option<Xy> {
         Some(match spot {
-            Spot::MissingVertex(p) | Spot::ExtraVertex(p) => self.place(*p),
+            Spot::At(p) | Spot::MissingVertex(p) | Spot::ExtraVertex(p) => self.place(*p),
+            Spot::Beside(ends) => {
+                let [a, b] = ends.map(|p| self.place(p));
+                (b - a).unit().map_or(a, |along| (a + b) * 0.5 + along.left() * BESIDE)
+            }
             Spot::Moved(_, to) => self.place(*to),
             Spot::MissingEdge(ends) | Spot::ExtraEdge(ends) => {
                 let [a, b] = ends.map(|p| self.place(p));
@@ -429,6 +434,7 @@ impl Sheet<'_, '_> {
                 at.or(segment.map(|(a, b)| (a + b) * 0.5))?
             }
             Spot::Many(_) | Spot::Nowhere => return None,
+            Spot::Face(points) | Spot::ExtraFace(points) if points.is_empty() => return None,
             Spot::Face(points) | Spot::ExtraFace(points) => {
                 let sum = points.iter().fold(Xy::default(), |sum, &p| sum + self.place(p));
                 sum * (1.0 / points.len().max(1) as f64)

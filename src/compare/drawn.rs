@@ -19,8 +19,10 @@ use super::placed::Placed;
 use super::report::{Difference, GROUP, Kind, Layer, Spot, Writing, counted, listed};
 use super::rings;
 use super::shape;
-use super::sketch::{Outline, Sketch};
+use super::sketch::{Outline, Sketch, specks};
+use super::sparse::Sparse;
 use super::strangers::strangers;
+use super::windows::{self, Window, windows};
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -52,6 +54,8 @@ struct Unseen {
     hollow: BTreeSet<usize>,
     /// Holes of the reference, by their numbers, that are filled.
     filled: BTreeSet<usize>,
+    /// Holes where the reference fills a face.
+    windows: Vec<Window>,
 }
 
 /// What cannot be seen of the reference's own drawing: nobody else has to show it.
@@ -111,14 +115,17 @@ impl<'a> Target<'a> {
         self.own = Some(drawing);
     }
 
-    /// What the reference's own drawing hides.
-    fn excused(&self) -> Result<Excused, Fault> {
+    /// What the reference's own drawing hides. Windows that it has, too, are taken out.
+    fn excused(&self, windows: &mut Vec<Window>) -> Result<Excused, Fault> {
         let mut out = Excused::default();
         let Some(drawing) = self.own else { return Ok(out) };
         let Placing { best, found, matched } = self.place(drawing)?;
         let unseen = self.look(drawing, &best.frame, &found, &matched)?;
+        if !windows.is_empty() {
+            windows::excuse(windows, drawing, &found.beside, &best.frame);
+        }
         let partner = |m: u32| matched.to_expected[m as usize];
-        for (edge, _) in unseen.edges {
+        for (edge, _) in unseen.edges.into_iter().filter(|(edge, _)| !found.sparse.contains_key(edge)) {
             if let [Some(a), Some(b)] = edge.map(partner) {
                 out.edges.insert([a.min(b), a.max(b)]);
             }
@@ -168,7 +175,9 @@ impl<'a> Target<'a> {
     /// The map from the canvas of the reference's own drawing is likely to be the student's, too.
     pub(super) fn hint(&mut self, drawing: &Drawing) {
         let (search, all, core) = self.search(drawing);
-        self.hints.push(search.best(&all, &core, &[]).frame);
+        let frame = search.best(&all, &core, &[]).frame;
+        self.sketch.specks = specks(drawing, &frame);
+        self.hints.push(frame);
     }
 
     /// The search, and the points to search with: all, and the core.
@@ -245,7 +254,7 @@ impl<'a> Target<'a> {
 
     fn read(&self, drawing: &Drawing, frame: &Frame, trim: &Trim) -> Result<(Sketch, Matched), Fault> {
         let expected = &self.sketch.graph;
-        let found = Sketch::read(drawing, frame, &expected.points, self.tolerance, trim)?;
+        let found = Sketch::read(drawing, frame, expected, self.tolerance, trim)?;
         let matched = Matched::new(expected, &found.graph, self.tolerance);
         Ok((found, matched))
     }
@@ -257,6 +266,7 @@ impl<'a> Target<'a> {
         let tolerance = self.tolerance / frame.scale();
         let mut eye = Eye::new(&drawing.painting, &found.beside, graph.edges.len(), span(&canvas));
         let mut out = Unseen::default();
+        let specks = Sparse::new(&self.sketch.specks, 4.0 * self.tolerance);
         // The end of a line that does not reach its vertex, or goes beyond it, below the circle there.
         let is_stub = |edge: [u32; 2]| {
             let [p, q] = edge.map(|m| canvas[m as usize]);
@@ -271,6 +281,12 @@ impl<'a> Target<'a> {
             // A circle stands for its vertex, not for more than half of an edge.
             let half = 0.5 * super::pairing::distance(ends[0], ends[1]);
             let radii = edge.map(|m| found.radii[m as usize].min(half));
+            if let Some(&dashes) = found.sparse.get(&edge) {
+                if specks.has(graph.ends(edge)) || !eye.any_dash(ends, radii, dashes) {
+                    out.edges.push((edge, Hidden::Dashes));
+                }
+                continue;
+            }
             let is_stranger = matched.extra.binary_search(&edge).is_ok();
             if let Err(why) = eye.edge(ends, radii, tolerance, is_stranger) {
                 out.edges.push((edge, why));
@@ -306,6 +322,7 @@ impl<'a> Target<'a> {
                 out.filled.insert(i);
             }
         }
+        out.windows = windows(&mut eye, &self.sketch, found, frame);
         let agrees = matched.faults() == 0 && out.edges.is_empty() && out.dots.is_empty();
         if eye.is_tired() && agrees {
             return Err(
@@ -344,6 +361,7 @@ impl<'a> Target<'a> {
             pale: &unseen.pale,
             hollow: &unseen.hollow,
             fills_hole: !unseen.filled.is_empty(),
+            windows: &unseen.windows,
             differences: Vec::new(),
             notes: Vec::new(),
         };
@@ -391,13 +409,14 @@ impl<'a> Target<'a> {
     /// Takes out what the reference's own drawing hides, too.
     fn excuse(&self, unseen: &mut Unseen, found: &Sketch, matched: &Matched) -> Result<(), Fault> {
         let all_seen = unseen.edges.is_empty() && unseen.dots.is_empty() && unseen.pale.is_empty();
-        if all_seen && unseen.hollow.is_empty() && unseen.filled.is_empty() {
+        if all_seen && unseen.hollow.is_empty() && unseen.filled.is_empty() && unseen.windows.is_empty() {
             return Ok(());
         }
-        let excused = self.excused()?;
+        let excused = self.excused(&mut unseen.windows)?;
         let partner = |m: u32| matched.to_expected[m as usize];
         unseen.edges.retain(|&(edge, why)| {
-            let [Some(a), Some(b)] = edge.map(partner) else { return true };
+            let is_sparse = found.sparse.contains_key(&edge);
+            let [Some(a), Some(b)] = edge.map(partner).map(|v| v.filter(|_| !is_sparse)) else { return true };
             let merged = excused.merges && matches!(why, Hidden::Line | Hidden::Paper | Hidden::Ends);
             !merged && !excused.edges.contains(&[a.min(b), a.max(b)])
         });
@@ -437,6 +456,8 @@ pub(super) struct Critic<'a> {
     pub(super) hollow: &'a BTreeSet<usize>,
     /// Whether a hole of the reference is filled.
     pub(super) fills_hole: bool,
+    /// Holes where the reference fills a face.
+    pub(super) windows: &'a [Window],
     differences: Vec<Difference>,
     pub(super) notes: Vec<String>,
 }

@@ -60,7 +60,7 @@ impl Circles {
     }
 
     /// The middle of the one circle at which a line from `other` ends.
-    fn aimed(&mut self, end: Point, other: Point, reach: f64, tolerance: f64) -> Option<Point> {
+    pub(super) fn aimed(&mut self, end: Point, other: Point, reach: f64, tolerance: f64) -> Option<Point> {
         if self.all.is_empty() {
             return None;
         }
@@ -108,7 +108,8 @@ impl Loose {
         }
     }
 
-    fn is(&self, end: Point) -> bool {
+    /// Whether all lines that end at a point run to one other point.
+    pub(super) fn is(&self, end: Point) -> bool {
         self.0.get(&key(end)).is_none_or(Option::is_some)
     }
 }

@@ -15,8 +15,8 @@ use crate::plane::Point;
 const NEAR: f64 = 2e-3;
 
 /// The vertices of a drawing whose circles stand where it declares others, unless these are most of them: then it is
-/// turned.
-pub(super) fn compare(drawing: &Drawing) -> Option<Difference> {
+/// turned. `has_places`: places of the model are those of the reference.
+pub(super) fn compare(drawing: &Drawing, has_places: bool) -> Option<Difference> {
     let declared = drawing.dots.iter().filter_map(|dot| Some((dot.at, dot.vertex.as_ref()?)));
     let (drawn, vertices): (Vec<Point>, Vec<&(String, Point)>) = declared.unzip();
     let models: Vec<Point> = vertices.iter().map(|(_, at)| *at).collect();
@@ -28,13 +28,16 @@ pub(super) fn compare(drawing: &Drawing) -> Option<Difference> {
         return None;
     }
     let places = Places::of(&models, reach);
-    let mut told = Vec::new();
+    let (mut told, mut spots) = (Vec::new(), Vec::new());
     for (at, (name, own)) in drawn.iter().zip(&vertices) {
         let here = Point::new(to.x + scale * (at.x - from.x), to.y + scale * (at.y - from.y));
         let other = places.near(here, reach).map(|i| vertices[i as usize]);
         if let Some((other, at)) = other.filter(|(other, _)| other != name) {
             // Two vertices at one place are told otherwise.
-            (at != own).then(|| told.push(format!("{name} at {other}")));
+            if at != own {
+                told.push(format!("{name} at {other}"));
+                spots.push(Spot::At(*at));
+            }
         }
     }
     if told.is_empty() || 2 * told.len() > drawn.len() {
@@ -43,5 +46,6 @@ pub(super) fn compare(drawing: &Drawing) -> Option<Difference> {
     let text =
         counted(told.len(), "vertex is drawn where another one belongs", "vertices are drawn where others belong");
     let text = format!("{text}: {}", listed(&told));
-    Some(Difference::new(Kind::Vertex, Layer::Drawn, text, Spot::Nowhere))
+    let spot = if has_places { Spot::all(spots) } else { Spot::Nowhere };
+    Some(Difference::new(Kind::Vertex, Layer::Drawn, text, spot))
 }

@@ -22,9 +22,10 @@ use super::eye::Eye;
 use super::links::Links;
 use super::pairing::span;
 use super::placed::Placed;
-use super::report::{Difference, Kind, Layer, Spot, counted, listed};
+use super::report::{Difference, Kind, Layer, counted, listed};
+use super::spots;
 use crate::figure::structure::skeleton::destination;
-use crate::ids::{HalfEdgeId, VertexId};
+use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::topology::{Table, View};
 use std::collections::{BTreeMap, BTreeSet};
@@ -259,7 +260,10 @@ pub(super) fn compare(
             found.iter().filter(|(_, other)| *other == wrong).map(|(h, _)| h.to_string()).collect();
         let [one, many] = wrong.words();
         let text = format!("{}: {}", counted(names.len(), one, many), listed(&names));
-        (!names.is_empty()).then(|| Difference::new(Kind::HalfEdge, Layer::Drawn, text, Spot::Nowhere))
+        let own = found.iter().filter(|(_, other)| *other == wrong);
+        let spots =
+            placed.iter().flat_map(|[_, theirs]| own.clone().map(|(g, _)| spots::of(theirs, Element::HalfEdge(*g))));
+        (!names.is_empty()).then(|| Difference::new(Kind::HalfEdge, Layer::Drawn, text, spots::all(spots)))
     };
     Wrong::ALL.into_iter().filter_map(told).collect()
 }

@@ -386,6 +386,11 @@ impl Ink {
         self.pattern().leave_a_gap(from, length, usual)
     }
 
+    /// The longest dashes on such a line that are no shorter than `least`: from where to where.
+    pub(super) fn dashes(&self, from: f64, length: f64, least: f64) -> Vec<[f64; 2]> {
+        self.pattern().drawn(from, length, least)
+    }
+
     /// Whether nothing of this style can be seen because it is switched off.
     pub(super) fn is_switched_off(&self) -> bool {
         !self.visible || self.opacity <= 0.0

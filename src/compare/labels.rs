@@ -3,14 +3,15 @@
 //! ```text
 //!   ●────────●      a small shape with curves that touches no vertex: the outline of letters, or a round box
 //!   │ (f1)   │      a small filled rectangle that touches no vertex, with letters drawn in it next: a box
-//!   ●────────●      small areas that touch no vertex, with a rim of the colour of white paper: letters
+//!   ●────────●      small areas that touch no vertex, with a rim of the colour of white paper: letters; so are lines of
+//!                   that colour along the sides of such areas, before or behind these: a halo that is drawn by itself
 //! ```
 
 use super::beside::{Extent, SMALL};
-use super::drawing::{Drawing, Outline};
+use super::drawing::{Drawing, Line, Outline};
 use super::frame::Frame;
-use super::painting::{Mark, Part};
-use super::pairing::distance;
+use super::painting::{Mark, Part, Shape};
+use super::pairing::{Places, distance};
 use super::snap::Snap;
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,6 +20,9 @@ use std::collections::{BTreeMap, BTreeSet};
 const BOX: f64 = 0.3;
 /// Letters are at least so large, as a part of the box that stands for them.
 const LETTERS: f64 = 0.6;
+/// Lines are a halo if this part of their ends lies at corners of letters, and so near, as a part of the drawing.
+const MOST: f64 = 0.75;
+const NEAR: f64 = 1e-3;
 /// So many coats behind that of a box are looked at for its letters.
 const NEXT: usize = 6;
 
@@ -44,7 +48,40 @@ pub(super) fn labels(drawing: &Drawing, frame: &Frame, snap: &Snap, size: f64) -
         }
     }
     out.extend(rimmed(drawing, is_apart, frame));
+    out.extend(halos(drawing, is_apart, frame, NEAR * size));
     out
+}
+
+/// Shapes of white lines that lie along the sides of small areas of another colour, together no larger than a box.
+fn halos(drawing: &Drawing, is_apart: impl Fn(&[Point], f64) -> bool, frame: &Frame, reach: f64) -> Vec<u32> {
+    let painting = &drawing.painting;
+    let ends = |[a, b]: [Point; 2]| [a.x, a.y, b.x, b.y].map(f64::to_bits);
+    let white = (0..).zip(&painting.coats).filter_map(|(i, coat)| match coat.shape {
+        Shape::Stroke(line, _) if coat.part == Part::Line && painting.is_blank(i) => Some(ends(line)),
+        _ => None,
+    });
+    let white: BTreeSet<[u64; 4]> = white.collect();
+    if white.is_empty() {
+        return Vec::new();
+    }
+    let place = |p: &Point| frame.apply(*p);
+    let mut corners = Places::new(reach);
+    let areas = drawing.outlines.iter().filter(|o| o.hidden.is_none() && o.legend == 0 && !painting.is_blank(o.coat));
+    for points in areas.map(|outline| outline.points.iter().map(place).collect::<Vec<Point>>()) {
+        if is_apart(&points, SMALL) {
+            for p in points {
+                corners.near_or_add(p, reach);
+            }
+        }
+    }
+    let is_white = |line: &Line| line.hidden.is_none() && line.legend == 0 && white.contains(&ends(line.ends));
+    let shapes = drawing.lines.chunk_by(|a, b| a.shape == b.shape).filter(|lines| lines.iter().all(is_white));
+    let is_halo = |lines: &&[Line]| {
+        let points: Vec<Point> = lines.iter().flat_map(|line| line.ends).map(|p| frame.apply(p)).collect();
+        let along = points.iter().filter(|&&p| corners.near(p, reach).is_some()).count();
+        along as f64 >= MOST * points.len() as f64 && is_apart(&points, BOX)
+    };
+    shapes.filter(is_halo).map(|lines| lines[0].shape).collect()
 }
 
 /// Shapes of small areas, together no larger than a box, with a rim of the colour of white paper, which parts them from

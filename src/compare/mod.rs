@@ -45,6 +45,7 @@
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
 //!   spelling.rs    What a text says that stands at an element
+//!   spots.rs       Where elements lie
 //!   standing.rs    Where names stand
 //!   strangers.rs   Faces without a partner, counted
 //!   strokes.rs     Whether lines of half-edges are seen
@@ -55,6 +56,7 @@
 //!   valid.rs       Values that browsers drop
 //!   values.rs      Values that browsers work out and a comparison does not
 //!   viewport.rs    Viewports
+//!   windows.rs     Holes in faces that the reference fills
 //!   yours.rs       What was handed in, drawn small beside the differences
 //! ```
 #![doc = include_str!("../../figures/difference.svg")]
@@ -72,13 +74,13 @@
 //!
 //! | drawn | by |
 //! |---|---|
-//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too |
-//! | vertex | `circle`, `ellipse` or a closed `path` that is one, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
-//! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted; further corners on its straight sides are no fault |
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too; a head of two strokes, or a small triangle, with its tip at a vertex is a marker |
+//! | vertex | `circle`, `ellipse` or a closed `path` that is one, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, or a small box at whose rim lines end that point to its middle, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
+//! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted, but no other hole; a hole may be a second outline in the path or be reached over a bridge (a keyhole); further corners on its straight sides are no fault |
 //! | half-edge | where one is declared: a straight line on the left of its edge with a head: a filled one, a marker, strokes that meet, straight or bent, or all of it as one filled outline; twice is no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
-//! curves that are straight (but for 0.05 px of a canvas of 600 px), `style` attributes and style sheets (names, `*`,
+//! curves and arcs that are straight (but for 0.05 px of a canvas of 600 px), `style` attributes and style sheets (names, `*`,
 //! ids, classes, attributes, `:not`, descendants, children, `@media screen` and `<style media="print">`, strings) are
 //! understood, and a `DOCTYPE` that declares nothing. A style also says where a circle, an ellipse, a rectangle or a
 //! picture lies and how large it is (`cx`, `r`, `width`, ...), and the `d` of a path; a background of the root is its
@@ -87,7 +89,7 @@
 //! or with round corners (in a reference: if vertices are circles there, and it has none), and the ticks beyond it,
 //! what is called legend or axis and stands clear of the structure, what lies behind axes of matplotlib, their spines
 //! and ticks, a legend in a free corner of it, without a box, or with one that lets edges shine through (one whose box
-//! hides something is told as that), small areas that touch no vertex (letters), rims of letters and boxes round them,
+//! hides something is told as that), small areas that touch no vertex (letters), rims of letters, white lines along their sides and boxes round them,
 //! animations of what is not read, and anything else with a note. A filled outline clear of the structure is no letter:
 //! it is a face too many. In the kit's own figures (`data-figure` on the root) half-edges, pointers, tables, insets
 //! (but not `--plain` ones, which say no more what they are) and other decoration are passed over, too, but the
@@ -109,12 +111,15 @@
 //! # What has to be seen
 //!
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
-//! what crosses it, as letters do, may hide stretches of up to a twentieth of the drawing, and the small box of a label
-//! with letters in it a longer one in its middle, in all up to 45 parts of 100; dashes as usual leave gaps: but no gap
+//! what crosses it, as letters do, may hide stretches of up to a twentieth of the drawing, but no plain polygon without
+//! letters in it that is larger than a letter: a side of a thirtieth of the drawing; the small box of a label with
+//! letters in it may hide a longer one in its middle, in all up to 45 parts of 100; dashes as usual leave gaps: but no gap
 //! of more than 24 px that is a third of the edge, or a quarter at its end. An edge that the reference does not have is
-//! told if more than a tenth of it is seen between the circles at its ends. A vertex is seen if its circle is, and
+//! told if more than a tenth of it is seen between the circles at its ends, or one of its dashes if these draw hardly
+//! anything of it. A vertex is seen if its circle is, and
 //! reaches no other vertex; it hides no more than half of an edge; its radius is not less than 0.1 px, and it reaches
-//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. So
+//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. A
+//! thin line of decoration hides nothing of a half-edge if it is seen itself. So
 //! what is covered by an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by
 //! dashes, without a size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below
 //! large letters or markers or letters that have the colour of what lies round them is told, with the reason. So is a
@@ -195,7 +200,9 @@ mod servers;
 mod shape;
 mod sketch;
 mod snap;
+mod sparse;
 mod spelling;
+mod spots;
 mod standing;
 mod strangers;
 mod strokes;
@@ -207,6 +214,7 @@ mod transform;
 mod valid;
 mod values;
 mod viewport;
+mod windows;
 mod yours;
 
 pub use answer::Comparison;
@@ -356,9 +364,9 @@ impl File {
         let placed = placed.map(|(mine, theirs)| [mine, theirs].map(Placed::new));
         let tables = [self.table.as_ref(), found.table.as_ref()];
         let drawings = [&self.drawing, &found.drawing];
-        seen.differences.extend(exchanged::compare(&found.drawing));
+        seen.differences.extend(exchanged::compare(&found.drawing, placed.is_some()));
         seen.differences.extend(halves::compare(drawings, tables, placed.as_ref().map(<[_; 2]>::each_ref)));
-        if let (true, [Some(mine), Some(theirs)]) = (options.names, tables) {
+        if let (true, Some([mine, theirs])) = (options.names, &placed) {
             seen.differences.extend(names::compare([(drawings[0], mine), (drawings[1], theirs)]));
         }
         let student = Some((std::mem::take(&mut seen.sketch), seen.fits));

@@ -15,8 +15,10 @@ use super::error::quoted;
 use super::eye::Eye;
 use super::legible::Texts;
 use super::pairing::span;
+use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
 use super::spelling::Spelling;
+use super::spots;
 use super::standing::Around;
 use super::surplus::{Surplus, surplus};
 use crate::plane::Point;
@@ -100,8 +102,8 @@ fn names(drawing: &Drawing, table: &Table) -> Names {
 }
 
 /// The names of a student's drawing against those of the reference, each with the structure that its file declares.
-pub(super) fn compare([reference, student]: [(&Drawing, &Table); 2]) -> Vec<Difference> {
-    let [mine, theirs] = [reference, student].map(|(drawing, table)| names(drawing, table));
+pub(super) fn compare([reference, student]: [(&Drawing, &Placed<'_>); 2]) -> Vec<Difference> {
+    let [mine, theirs] = [reference, student].map(|(drawing, placed)| names(drawing, placed.table));
     let (expected, found) = (mine.drawn, theirs.drawn);
     let mut out = Vec::new();
     let mut say = |element: &str, text: String| {
@@ -110,7 +112,11 @@ pub(super) fn compare([reference, student]: [(&Drawing, &Table); 2]) -> Vec<Diff
             Some(b'h') => Kind::HalfEdge,
             _ => Kind::Face,
         };
-        out.push(Difference::new(kind, Layer::Drawn, text, Spot::Nowhere));
+        let spot = match spots::named(reference.1, element) {
+            Spot::Nowhere => spots::named(student.1, element),
+            spot => spot,
+        };
+        out.push(Difference::new(kind, Layer::Drawn, text, spot));
     };
     for (element, drawn) in found.iter().filter(|(element, drawn)| expected.get(*element) != Some(*drawn)) {
         match drawn {

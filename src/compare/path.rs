@@ -6,7 +6,8 @@
 //!
 //! Curves become short pieces: an edge of a half-edge structure is never a curve, but a vertex can be a small round
 //! one, and an area with curved sides can hide what lies below it. What programs write as a curve and is straight, is a
-//! line: a curve whose control points lie on its chord, but for rounded numbers, and an arc without a radius.
+//! line: a curve whose control points lie on its chord, but for rounded numbers, and an arc without a radius or with one
+//! so large that it rises no more.
 
 use super::numbers::Reader;
 
@@ -18,6 +19,8 @@ const TURN: f64 = 12.0;
 const STRAIGHT: f64 = 2e-4;
 /// The same, as far as rounded numbers excuse it.
 const BENT: f64 = 0.01;
+/// An arc over a chord longer than this part of its diameter is round.
+const FLAT: f64 = 0.5;
 
 /// A stretch of a path from one move to the next.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -198,6 +201,9 @@ impl Pen {
             radii = radii.map(|r| r * far.sqrt());
         }
         let [p, q] = [turned[0] / radii[0], turned[1] / radii[1]];
+        if !large && self.is_flat(radii, [p, q], turned) {
+            return self.to(to, false);
+        }
         let squared = p * p + q * q;
         let off = ((1.0 - squared).max(0.0) / squared).sqrt() * if large == sweep { -1.0 } else { 1.0 };
         // On the circle of radius 1: the middle, and the angles of both ends seen from it.
@@ -214,6 +220,18 @@ impl Pen {
             self.to([centre[0] + cosine * x - sine * y, centre[1] + sine * x + cosine * y], true)?;
         }
         self.to(to, true)
+    }
+
+    /// Whether the smaller arc over a chord lies no farther from it than a straight curve may. `half` is half of the chord
+    /// along the axes of the ellipse, `unit` the same on the circle of radius 1.
+    fn is_flat(&self, radii: [f64; 2], [p, q]: [f64; 2], half: [f64; 2]) -> bool {
+        let (unit, long) = (p.hypot(q), half[0].hypot(half[1]));
+        // How far the arc rises on that circle; where the numbers end, nothing.
+        let rise = unit * unit / (1.0 + (1.0 - unit * unit).max(0.0).sqrt());
+        let apex = if unit > 0.0 { [rise * radii[0] * q / unit, -rise * radii[1] * p / unit] } else { [0.0; 2] };
+        let off = (apex[0] * half[1] - apex[1] * half[0]).abs() / long;
+        let length = 2.0 * long;
+        unit <= FLAT && off <= (STRAIGHT * length).max(self.slack.min(BENT * length))
     }
 }
 
@@ -260,14 +278,31 @@ mod tests {
 
     #[test]
     fn straight_curves_are_lines() {
-        for line in ["C2 2 4 4 6 6", "c0 0 6 6 6 6", "Q3 3 6 6", "S3 3 6 6", "A0 5 0 0 1 6 6", "a3 0 9 1 0 6 6"] {
+        for line in [
+            "C2 2 4 4 6 6",
+            "c0 0 6 6 6 6",
+            "Q3 3 6 6",
+            "S3 3 6 6",
+            "A0 5 0 0 1 6 6",
+            "a3 0 9 1 0 6 6",
+            "A1e9 1e9 0 0 1 6 6",
+            "A9e99 9e9 0 0 0 6 6",
+        ] {
             assert_eq!(
                 read(&format!("M0 0{line}")).unwrap()[0].points,
                 [([0.0; 2], false), ([6.0; 2], false)],
                 "{line}"
             );
         }
-        for curve in ["C2 2 4 4.1 6 6", "C-1-1 4 4 6 6", "Q7 7 6 6", "Q3 4 6 6", "A5 5 0 0 1 6 6", "C1 1 2 2 0 0"] {
+        for curve in [
+            "C2 2 4 4.1 6 6",
+            "C-1-1 4 4 6 6",
+            "Q7 7 6 6",
+            "Q3 4 6 6",
+            "A5 5 0 0 1 6 6",
+            "A400 400 0 0 1 6 6",
+            "C1 1 2 2 0 0",
+        ] {
             assert!(read(&format!("M0 0{curve}")).unwrap()[0].points[1].1, "{curve}");
         }
     }

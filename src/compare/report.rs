@@ -112,6 +112,10 @@ impl Difference {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Spot {
     Nowhere,
+    /// A place at which nothing is marked but the number.
+    At(Point),
+    /// The same, on the left of the middle of this way.
+    Beside([Point; 2]),
     MissingVertex(Point),
     ExtraVertex(Point),
     Moved(Point, Point),
@@ -154,6 +158,8 @@ impl Spot {
             (Self::ExtraEdge([a, b]), Self::ExtraEdge([c, d])) => {
                 near(*a, *c) && near(*b, *d) || near(*a, *d) && near(*b, *c)
             }
+            // Several things may be told of one place.
+            (Self::At(_) | Self::Beside(_), _) => false,
             _ => self == other,
         }
     }

@@ -2,9 +2,14 @@
 //!
 //! ```text
 //!   c a b        the smallest rotation: a b c       there and back again is nothing: a b x b c = a b c
+//!   ┌───────┐
+//!   │  ┌─┐  │    a keyhole: round the outside, over a bridge, round the hole and back over the bridge;
+//!   │ ╱└─┘  │    without the bridge these are two outlines
+//!   └───────┘
 //! ```
 
 use crate::plane::Point;
+use std::collections::BTreeMap;
 
 /// The sequence without steps on the spot and without spurs. O(n).
 pub(super) fn tidy(ring: &[u32]) -> Vec<u32> {
@@ -39,6 +44,38 @@ fn push(out: &mut Vec<u32>, v: u32) {
     }
 }
 
+/// The outlines of which a keyhole is made: what is left without the bridges, over which it goes once there and once back.
+/// Where bridges cross each other it is one outline. O(n log n).
+pub(super) fn parts<T: Copy + Ord>(ring: &[T]) -> Vec<Vec<T>> {
+    let step = |i: usize| (ring[i], ring[(i + 1) % ring.len()]);
+    let mut counts: BTreeMap<(T, T), u32> = BTreeMap::new();
+    (0..ring.len()).for_each(|i| *counts.entry(step(i)).or_default() += 1);
+    let is_bridge = |(a, b): (T, T)| a != b && [(a, b), (b, a)].iter().all(|way| counts.get(way) == Some(&1));
+    if !(0..ring.len()).any(|i| is_bridge(step(i))) {
+        return vec![ring.to_vec()];
+    }
+    let mut out = Vec::new();
+    // The outlines begun: the first, and one behind each bridge that leads there.
+    let (mut open, mut bridges) = (vec![Vec::new()], Vec::new());
+    for (a, b) in (0..ring.len()).map(step) {
+        if !is_bridge((a, b)) {
+            open.last_mut().into_iter().for_each(|part| part.push(a));
+        } else if bridges.last() == Some(&(b, a)) {
+            bridges.pop();
+            out.extend(open.pop());
+        } else {
+            bridges.push((a, b));
+            open.push(Vec::new());
+        }
+    }
+    if !bridges.is_empty() {
+        return vec![ring.to_vec()];
+    }
+    out.extend(open.pop());
+    out.retain(|part| part.len() > 2);
+    out
+}
+
 /// The smallest rotation. O(n) (Booth 1980, with two candidates).
 pub(super) fn canonical(ring: &[u32]) -> Vec<u32> {
     let n = ring.len();
@@ -68,6 +105,12 @@ pub(super) fn reversed(ring: &[u32]) -> Vec<u32> {
     canonical(&ring.iter().rev().copied().collect::<Vec<_>>())
 }
 
+/// The corners of an outline, each once.
+pub(super) fn open(points: &[Point]) -> &[Point] {
+    let closed = points.len() > 1 && points.first() == points.last();
+    &points[..points.len() - usize::from(closed)]
+}
+
 /// Twice the signed area, positive if the outline runs counter-clockwise with y up.
 pub(super) fn area(points: impl Iterator<Item = Point> + Clone) -> f64 {
     let Some(base) = points.clone().next() else { return 0.0 };
@@ -91,6 +134,22 @@ mod tests {
         assert!(tidy(&[1, 2, 1, 2]).len() < 3);
         assert!(tidy(&[1, 1, 1]).len() < 3);
         assert!(tidy(&[]).is_empty());
+    }
+
+    #[test]
+    fn keyholes_come_apart_wherever_they_start() {
+        // Two holes, one of them over a bridge of two steps, and a spur.
+        let keyhole = [1, 2, 3, 9, 5, 6, 7, 5, 9, 3, 8, 3, 4, 1, 11, 12, 13, 11];
+        for turn in 0..keyhole.len() {
+            let mut ring = keyhole.to_vec();
+            ring.rotate_left(turn);
+            let mut found: Vec<Vec<u32>> = parts(&ring).iter().map(|part| canonical(part)).collect();
+            found.sort();
+            assert_eq!(found, [vec![1, 2, 3, 4], vec![5, 6, 7], vec![11, 12, 13]], "{ring:?}");
+        }
+        for whole in [&[1, 2, 3][..], &[1, 2, 3, 4, 2, 1, 4, 3], &[1, 2, 3, 1, 2, 3], &[]] {
+            assert_eq!(parts(whole), [whole], "{whole:?}");
+        }
     }
 
     #[test]

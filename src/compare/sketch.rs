@@ -20,7 +20,7 @@ use super::pairing::{Places, lies_on};
 use super::placed::Placed;
 use super::segments::Grid;
 use super::snap::Snap;
-use super::{labels, legends, rings, shape};
+use super::{drawing, labels, legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
 use crate::topology::{InnerComponent, View, bounded_cycle};
@@ -54,12 +54,18 @@ pub(super) struct Sketch {
     pub(super) welcome: Vec<Vec<u32>>,
     /// Outlines that their own element leaves empty.
     pub(super) holes: Vec<Vec<u32>>,
+    /// Outlines of declared hole faces.
+    pub(super) open: Vec<Vec<u32>>,
     /// Edges that are drawn, but only so that nobody sees them.
     pub(super) hidden: BTreeMap<[u32; 2], Hidden>,
     /// How many edges are drawn more than once.
     pub(super) doubled: usize,
     /// Lines that nobody sees where nothing else is drawn.
     pub(super) unseen: usize,
+    /// Edges of whose lines dashes draw hardly anything, with the coats of these dashes.
+    pub(super) sparse: BTreeMap<[u32; 2], [u32; 2]>,
+    /// Such lines of a reference.
+    pub(super) specks: Vec<[Point; 2]>,
     pub(super) beside: Beside,
 }
 
@@ -95,10 +101,17 @@ impl Sketch {
             // A hole looks like the paper, and so may the outer face.
             let is_free = table.outer_face == Some(f) || table.is_hole(f);
             for (i, ring) in table.half_edge(f).into_iter().chain(further).map(corners).enumerate() {
-                if i == 0 && !is_free && ring.len() > 2 {
-                    out.outlines.push(Outline { ring, name: f.to_string(), hole: false, coat: u32::MAX });
-                } else {
-                    out.welcome.push(rings::canonical(&ring));
+                let parts = rings::parts(&ring);
+                let is_one = parts.len() == 1;
+                for part in parts {
+                    // Of a face that a bridge leads through, the outline that runs counter-clockwise is its own.
+                    let runs_round = || rings::area(part.iter().map(|&v| placed.graph.point(v))) > 0.0;
+                    if i == 0 && !is_free && part.len() > 2 && (is_one || runs_round()) {
+                        out.outlines.push(Outline { ring: part, name: f.to_string(), hole: false, coat: u32::MAX });
+                    } else {
+                        out.open.extend((i == 0 && table.is_hole(f) && part.len() > 2).then(|| part.clone()));
+                        out.welcome.push(rings::canonical(&part));
+                    }
                 }
             }
         }
@@ -113,7 +126,9 @@ impl Sketch {
         let frames = beside::frames(&visible);
         let mut stays = frames.iter().map(|is_frame| !is_frame);
         visible.lines.retain(|_| stays.next().unwrap_or(true));
-        let read = |drawing: &Drawing| Self::read(drawing, &Frame::IDENTITY, &[], tolerance, &Trim::nothing(drawing));
+        let read = |drawing: &Drawing| {
+            Self::read(drawing, &Frame::IDENTITY, &Graph::default(), tolerance, &Trim::nothing(drawing))
+        };
         if drawing.has_legend() {
             let mut rest = visible.clone();
             rest.take_out(|legend| legend > 0);
@@ -123,11 +138,14 @@ impl Sketch {
             visible.take_out(|legend| legends.get(&legend).is_some_and(|is_clear| *is_clear));
         }
         let mut out = read(&visible)?;
-        out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
+        out.specks = specks(drawing, &Frame::IDENTITY);
+        let outside = shape::outside(&out.graph).into_iter().flat_map(|ring| rings::parts(&rings::tidy(&ring)));
+        out.welcome = outside.map(|ring| rings::canonical(&ring)).collect();
         // Holes may be left as paper; the face round one has the same outline.
         let holes = out.outlines.iter().filter(|outline| outline.hole).map(|outline| rings::canonical(&outline.ring));
         let holes: BTreeSet<Vec<u32>> = holes.flat_map(|ring| [rings::reversed(&ring), ring]).collect();
         out.outlines.retain(|outline| !holes.contains(&rings::canonical(&outline.ring)));
+        out.open.extend(holes.iter().cloned());
         out.welcome.extend(holes);
         let empty = out.holes.iter().flat_map(|ring| [rings::reversed(ring), rings::canonical(ring)]);
         out.welcome.extend(empty.collect::<Vec<_>>());
@@ -145,6 +163,7 @@ impl Sketch {
         let places = Places::of(&self.graph.points, tolerance);
         let numbers: Vec<Option<u32>> = canvas.iter().map(|&p| places.near(p, tolerance)).collect();
         self.graph.points.iter_mut().for_each(|p| *p = frame.apply(*p));
+        self.specks.iter_mut().flatten().for_each(|p| *p = frame.apply(*p));
         for ((_, name, model), number) in known.into_iter().zip(numbers) {
             let Some(i) = number else { continue };
             self.graph.points[i as usize] = model;
@@ -153,14 +172,15 @@ impl Sketch {
         Some(frame)
     }
 
-    /// What a drawing shows in the coordinates of `expected`; without those, in its own.
+    /// What a drawing shows in the coordinates of the graph that is expected; without points of that, in its own.
     pub(super) fn read(
         drawing: &Drawing,
         frame: &Frame,
-        expected: &[Point],
+        graph: &Graph,
         tolerance: f64,
         trim: &Trim,
     ) -> Result<Self, Fault> {
+        let expected = &graph.points[..];
         let mut snap = Snap::new(expected, tolerance);
         let mut beside = Beside { border: drawing.axes[0], aside: drawing.axes[1], ..Beside::default() };
         let around = Extent::around(if expected.is_empty() { drawing.points().collect() } else { expected.to_vec() });
@@ -214,7 +234,7 @@ impl Sketch {
         let mut numbers: Vec<Option<[u32; 2]>> =
             lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
         let size = around.size();
-        let mut shapes = Vec::new();
+        let (mut shapes, mut small_holes): (Vec<(&drawing::Outline, Vec<Point>)>, _) = (Vec::new(), Vec::new());
         for outline in drawing.outlines.iter().filter(|outline| !legends.contains_key(&outline.legend)) {
             let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
             let covers = drawing.canvas.is_some_and(|canvas| Extent::around(outline.points.clone()).covers(canvas));
@@ -232,18 +252,26 @@ impl Sketch {
                             legend: 0,
                             shape: u32::MAX,
                             curved: false,
+                            dashes: [0; 2],
                         },
                         ends,
                     ));
                     numbers.push(Some(ends.map(|p| snap.number(p))));
                 }
                 Area::Paper => beside.paper.push(outline.coat),
+                Area::Small if outline.empty => small_holes.push((outline, corners)),
                 Area::Small => beside.small += 1,
                 Area::Beside if drawing.painting.is_blank(outline.coat) => beside.small += 1,
                 Area::Curved => {}
                 Area::Face | Area::Beside => shapes.push((outline, corners)),
             }
         }
+        // Small holes in letters are a part of these, and in faces they are none.
+        let faces: BTreeSet<u32> = shapes.iter().map(|(outline, _)| outline.coat).collect();
+        let (in_faces, in_letters): (Vec<_>, Vec<_>) =
+            small_holes.into_iter().partition(|(outline, _)| faces.contains(&outline.coat));
+        beside.small += in_letters.len();
+        shapes.extend(in_faces);
         for (_, corners) in &mut shapes {
             *corners = straightened(corners, &snap, tolerance);
         }
@@ -254,9 +282,12 @@ impl Sketch {
         let mut hidden: BTreeMap<[u32; 2], Hidden> = BTreeMap::new();
         let mut edges = Vec::with_capacity(lines.len());
         let mut unseen = 0;
+        let mut dashed = Vec::new();
         for ((line, places), numbers) in lines.iter().zip(numbers) {
+            let has_ink = line.dashes[0] < line.dashes[1] && !expected.is_empty();
+            dashed.extend(has_ink.then_some((line.dashes, *places)));
             let Some(numbers) = numbers.or_else(|| snap.known(*places)) else {
-                unseen += 1;
+                unseen += usize::from(!has_ink);
                 continue;
             };
             for pair in cutter.chain(numbers, *places)?.windows(2) {
@@ -264,6 +295,24 @@ impl Sketch {
                 match line.hidden {
                     None => edges.push(edge),
                     Some(why) => drop(hidden.insert(edge, why)),
+                }
+            }
+        }
+        let mut sparse = BTreeMap::new();
+        if !dashed.is_empty() {
+            let number = |edge: &[u32; 2]| {
+                let [a, b] = edge.map(|v| snap.numbers[v as usize]);
+                a.zip(b).map(|(a, b)| [a.min(b), a.max(b)])
+            };
+            let known: BTreeSet<[u32; 2]> =
+                graph.edges.iter().filter_map(number).chain(edges.iter().copied()).collect();
+            for (dashes, places) in dashed {
+                let chain = cutter.chain(places.map(|p| snap.number(p)), places)?;
+                let parts = chain.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]);
+                let parts: Vec<[u32; 2]> = parts.collect();
+                if !parts.iter().any(|edge| known.contains(edge)) {
+                    sparse.extend(parts.iter().map(|edge| (*edge, dashes)));
+                    edges.extend(parts);
                 }
             }
         }
@@ -294,7 +343,21 @@ impl Sketch {
         beside.bars.sort_unstable();
         beside.paper.extend(&drawing.paper);
         beside.paper.sort_unstable();
-        Ok(Self { graph, dots, radii, ends, outlines, welcome: Vec::new(), holes, hidden, unseen, doubled, beside })
+        let found = Self {
+            graph,
+            dots,
+            radii,
+            ends,
+            outlines,
+            holes,
+            hidden,
+            sparse,
+            unseen,
+            doubled,
+            beside,
+            ..Self::default()
+        };
+        Ok(found)
     }
 
     /// Takes out what turned out not to be seen: edges, and points that only such edges or circles had. `keeps` says
@@ -333,6 +396,12 @@ impl Sketch {
         self.hidden.retain(|edge, _| edge.iter().all(|m| *m != u32::MAX));
         self.unseen += before - self.hidden.len();
     }
+}
+
+/// The lines of a drawing of which dashes draw hardly anything, where the frame brings them.
+pub(super) fn specks(drawing: &Drawing, frame: &Frame) -> Vec<[Point; 2]> {
+    let lines = drawing.lines.iter().filter(|line| line.dashes[0] < line.dashes[1]);
+    lines.map(|line| line.ends.map(|p| frame.apply(p))).collect()
 }
 
 /// The corners of an outline without those on a straight side at which nothing else is drawn or expected.

@@ -1,4 +1,8 @@
 //! Whether lines that are no edges are seen, and small areas: those of half-edges.
+//!
+//! ```text
+//!    ──┃──▸     a thin line of decoration that crosses an arrow, as a leader does, hides nothing of it if it is seen itself
+//! ```
 
 use super::eye::{Eye, FAINT, contrast};
 use super::painting::{Coat, Part, Shape};
@@ -8,6 +12,10 @@ use std::ops::Range;
 
 /// Points along a line that are looked at.
 const POINTS: usize = 8;
+/// A line of decoration is thin if it is no wider than this part of the drawing, and is seen as a line of its own if it has so
+/// much contrast.
+const THIN: f64 = 0.006;
+const CLEAR: f64 = 48.0;
 /// What is drawn twice lies at the same place up to this part of its size.
 const NEAR: f64 = 0.02;
 
@@ -22,11 +30,18 @@ impl Eye<'_> {
         };
         let mut lines = coats.filter_map(ends).peekable();
         let is_any = lines.peek().is_some();
-        if is_any { lines.any(|(i, ends)| self.shows_along(&[i], ends, strays)) } else { without }
+        if is_any { lines.any(|(i, ends)| self.shows_along(&[i], &[], ends, strays)) } else { without }
     }
 
-    /// Whether one of some coats is seen at half of the points along a line.
-    pub(super) fn shows_along(&mut self, coats: &[u32], [a, b]: [Point; 2], strays: &[Range<u32>]) -> bool {
+    /// Whether one of some coats is seen at half of the points along a line, with those of its heads, sorted, which may lie
+    /// over it.
+    pub(super) fn shows_along(
+        &mut self,
+        coats: &[u32],
+        heads: &[u32],
+        [a, b]: [Point; 2],
+        strays: &[Range<u32>],
+    ) -> bool {
         let painting = self.painting;
         let is_stray = |j: u32| {
             let next = strays.partition_point(|range| range.start <= j);
@@ -42,7 +57,8 @@ impl Eye<'_> {
             let is_seen = |&i: &u32| {
                 let own = &painting.coats[i as usize];
                 let goes_with = |j: u32, coat: &Coat| is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
-                self.differs(i, |j, coat| goes_with(j, coat) || is_again(own, coat))
+                let is_head = |j: u32| heads.binary_search(&j).is_ok();
+                self.differs(i, |j, coat| goes_with(j, coat) || is_head(j) || is_again(own, coat))
             };
             seen += usize::from(coats.iter().any(is_seen));
         }
@@ -67,17 +83,26 @@ impl Eye<'_> {
         })
     }
 
-    /// Whether the colour of the last point looked at would be another one without a coat and those that go with it: with
-    /// what thin patterns paint there, and with what they leave open.
+    /// Whether the colour of the last point looked at would be another one without a coat and those that go with it, below
+    /// what thin lines leave open: with what thin patterns paint there, and with what they leave open.
     fn differs(&self, i: u32, goes_with: impl Fn(u32, &Coat) -> bool) -> bool {
         let painting = self.painting;
+        let ground =
+            self.colour(|j, coat| j < i && coat.part != Part::Other && !matches!(coat.shape, Shape::Stroke(..)));
+        let is_passed = |j: u32| j > i && self.is_thin(&painting.coats[j as usize], ground);
         let is_kept = |j: u32, coat: &Coat| j != i && !goes_with(j, coat);
-        let is_open = |j: u32| painting.sparse.binary_search(&j).is_ok();
+        let is_open = |j: u32| painting.sparse.binary_search(&j).is_ok() || is_passed(j);
         let differ = |counts: &dyn Fn(u32) -> bool| {
             let all = self.colour(|j, _| counts(j));
             contrast(all, self.colour(|j, coat| counts(j) && is_kept(j, coat))) >= FAINT
         };
-        differ(&|_| true) && (painting.sparse.is_empty() || differ(&|j| j == i || !is_open(j)))
+        differ(&|j| !is_passed(j)) && (painting.sparse.is_empty() || differ(&|j| j == i || !is_open(j)))
+    }
+
+    /// Whether a coat is a thin line of decoration that is seen on this ground.
+    fn is_thin(&self, coat: &Coat, ground: [f64; 3]) -> bool {
+        let is_line = matches!(coat.shape, Shape::Stroke(_, half) if 2.0 * half <= THIN * self.span);
+        is_line && coat.part == Part::Other && contrast(coat.colour, ground) >= CLEAR
     }
 
     /// Whether a small marker, which hides nothing itself, is seen at the last point looked at, or what is drawn over it.

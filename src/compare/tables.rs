@@ -15,7 +15,7 @@ use super::graph::Telling;
 use super::links::{Links, Reduced};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot, Writing, counted};
-use super::{Options, faces, shape};
+use super::{Options, faces, shape, spots};
 use crate::figure::structure::skeleton::{half_edges, mutual_twin, vertices};
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::topology::{Table, View, violations};
@@ -72,7 +72,9 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
         differences.extend(broken.iter().map(|violation| {
             let kind = violation.elements.first().map_or(Kind::Drawing, |&element| kind(element));
             let text = format!("your structure breaks an invariant: {violation}");
-            Difference::new(kind, Layer::Declared, text, Spot::Nowhere)
+            let first = violation.elements.first();
+            let spot = first.map_or(Spot::Nowhere, |&element| spots::of(found, element));
+            Difference::new(kind, Layer::Declared, text, spot)
         }));
     } else {
         notes.extend(

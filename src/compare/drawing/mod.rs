@@ -14,10 +14,12 @@
 //!   axes.rs    Axes of matplotlib
 //!   clips.rs   Clip paths
 //!   foreign.rs What stands in a foreignObject
+//!   heads.rs   Heads of arrows
 //!   lengths.rs Lengths of elements, by style and by attribute
 //!   marks.rs   Markers and letters
 //!   ovals.rs   Closed paths that are ellipses
 //!   reuse.rs   What stands somewhere else than where it is drawn
+//!   rims.rs    Lines that end at the rims of boxes
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
 //!   stamps.rs  Vertices drawn as squares or crosses
@@ -26,10 +28,12 @@
 mod axes;
 mod clips;
 mod foreign;
+mod heads;
 mod lengths;
 mod marks;
 mod ovals;
 mod reuse;
+mod rims;
 mod root;
 mod shapes;
 mod stamps;
@@ -71,10 +75,8 @@ const OFF: f64 = 0.25;
 const STRAIGHT: f64 = 0.05 / 600.0;
 /// How far what is behind it all reaches.
 const GROUND: f64 = 1e5;
-/// Words in ids and classes of what stands beside a drawing.
+/// Words in ids and classes of what stands beside a drawing, and of what holds texts that name nothing.
 const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"];
-
-/// Classes and ids of what holds texts that name nothing.
 const NOTES: [&str; 7] = ["table", "inset", "rows", "title", "caption", "note", "notes"];
 
 /// What is no part of the structure in the kit's own figures: how its ids end, and its classes. Labels outside of their
@@ -112,6 +114,8 @@ pub(in crate::compare) struct Line {
     pub(in crate::compare) shape: u32,
     /// Whether that element has curves, too.
     pub(in crate::compare) curved: bool,
+    /// The coats of its dashes, from the first to before the last, if they draw hardly anything of it.
+    pub(in crate::compare) dashes: [u32; 2],
 }
 
 /// A filled outline.
@@ -502,7 +506,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let id = node.attribute("id").unwrap_or("");
         let names = [id].into_iter().chain(classes()).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
         let has_word = |is: fn(&str) -> bool| names.split(|c: char| !c.is_ascii_alphabetic()).any(is);
-        out.aside |= has_word(is_aside);
+        out.aside |= has_word(|word| ASIDE.contains(&word));
         out.axes = outer.axes.or_else(|| axes::part(node, &out.transform));
         if out.legend == 0 && has_word(|word| word == "legend") {
             self.legends += 1;
@@ -566,11 +570,6 @@ impl<'a, 'i> Reader<'a, 'i> {
 /// Whether a `transform-origin` is where all transforms start from.
 fn is_corner(origin: &str) -> bool {
     origin.split_whitespace().all(|side| ["0", "0px", "0%", "left", "top"].contains(&side))
-}
-
-/// A word of a name that says that something stands beside the drawing.
-fn is_aside(word: &str) -> bool {
-    ASIDE.contains(&word)
 }
 
 /// A point of the canvas, y up.

@@ -7,7 +7,7 @@
 
 use super::axes::Axes;
 use super::ovals::{Oval, PIECES, ROUND, STEP};
-use super::{Around, Dot, FAR, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
+use super::{Around, Dot, FAR, LINES, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
 use crate::compare::colour::Paint;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::geometry::path_data;
@@ -15,6 +15,7 @@ use crate::compare::ink::Hidden;
 use crate::compare::painting::{Area, Disc, Part, Shape};
 use crate::compare::pairing::distance;
 use crate::compare::path::{self, Subpath};
+use crate::compare::rings::parts;
 use crate::compare::transform::Transform;
 use crate::compare::{declared, numbers};
 use crate::plane::Point;
@@ -118,11 +119,17 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         let name = node.parent().map_or_else(String::new, declared::face_name);
         let hole = node.parent().is_some_and(|group| group.attribute("data-hole") == Some("true"));
-        let parts = placed.iter().zip(empty).filter(|((points, _), _)| points.len() > 2);
-        for ((points, closed), empty) in parts {
-            if oval(points, *closed, is_only).is_none() {
+        let stretches = placed.iter().zip(empty).filter(|((points, _), _)| points.len() > 2);
+        for ((points, closed), empty) in stretches {
+            if oval(points, *closed, is_only).is_some() {
+                continue;
+            }
+            let outlines = keyholes(points);
+            let is_one = outlines.len() == 1;
+            for ring in outlines {
+                let empty = if is_one { empty } else { self.leaves_empty(coat, &ring) };
                 self.out.outlines.push(Outline {
-                    points: points.iter().map(|p| p.0).collect(),
+                    points: ring,
                     name: name.clone(),
                     hole,
                     empty,
@@ -135,6 +142,11 @@ impl<'a, 'i> Reader<'a, 'i> {
                 });
             }
         }
+    }
+
+    /// Whether an area leaves one of its outlines empty.
+    fn leaves_empty(&self, coat: u32, ring: &[Point]) -> bool {
+        matches!(&self.out.painting.coats[coat as usize].shape, Shape::Area(area) if area.leaves_empty(ring))
     }
 
     /// The width of lines on the canvas.
@@ -212,6 +224,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 if let Some(axes) = around.axes.filter(|axes| is_line && axes.has([from, to])) {
                     self.out.axes[axes.number()] += 1;
                 } else if is_line {
+                    let dashes = if dashed { self.dashes([from, to], (far, long), half, around) } else { [0; 2] };
                     self.out.lines.push(Line {
                         ends: [from, to],
                         half,
@@ -220,6 +233,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                         legend: around.legend,
                         shape: self.current(),
                         curved: has_curves,
+                        dashes,
                     });
                 }
             }
@@ -229,6 +243,22 @@ impl<'a, 'i> Reader<'a, 'i> {
         if curves {
             self.ignore("curves (edges are straight)");
         }
+    }
+
+    /// Paints the dashes of a line that draw hardly anything of it, as far as a screen shows them. It begins so far from the
+    /// start of its path and is so long, before any transform.
+    fn dashes(&mut self, [p, q]: [Point; 2], (far, long): (f64, f64), half: f64, around: &Around) -> [u32; 2] {
+        let least = THIN * long / (distance(p, q) * self.unit);
+        let start = self.out.painting.coats.len() as u32;
+        for dash in around.ink.dashes(far, long, least) {
+            if self.points >= LINES {
+                break;
+            }
+            self.points += 1;
+            let ends = dash.map(|at| Point::new(p.x + at / long * (q.x - p.x), p.y + at / long * (q.y - p.y)));
+            self.out.painting.add(Shape::Stroke(ends, half), around.ink.stroke(), around.clip, Part::Line);
+        }
+        [start, self.out.painting.coats.len() as u32]
     }
 
     fn dot(
@@ -434,6 +464,14 @@ fn rect(node: Node<'_, '_>, around: &Around) -> Result<Vec<Subpath>, Fault> {
     }
     let points = corners([x, y, width, height]).map(|p| (p, false)).to_vec();
     Ok(vec![Subpath { points, closed: true }])
+}
+
+/// The outlines of which a keyhole is made, or the one of another shape.
+fn keyholes(points: &[(Point, bool)]) -> Vec<Vec<Point>> {
+    // 0 is written in two ways.
+    let keys: Vec<[u64; 2]> = points.iter().map(|(p, _)| [p.x + 0.0, p.y + 0.0].map(f64::to_bits)).collect();
+    let point = |key: [u64; 2]| Point::new(f64::from_bits(key[0]), f64::from_bits(key[1]));
+    parts(&keys).into_iter().map(|part| part.into_iter().map(point).collect()).collect()
 }
 
 /// Whether an element draws one stretch only; a move alone is none.

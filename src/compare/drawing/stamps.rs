@@ -6,14 +6,18 @@
 //!   ✕──────+      two short lines of one length that cross in their middles, there
 //! ```
 //!
+//! A line may also end at the rim of a square or a box, as rims.rs finds out.
+//!
 //! Each becomes a dot where it stands, as large as a circle in it, or of its area if it is no square. Only stamps of the
 //! size of most others at ends of lines count, those elsewhere that look like them, and none where a circle is drawn.
 
+use super::heads::Heads;
+use super::rims::{self, Frame};
 use super::{Dot, Drawing, Line};
 use crate::compare::eye::{FAINT, contrast};
 use crate::compare::painting::{Area, Coat, Disc, Part, Shape};
 use crate::compare::pairing::{Places, distance, distance_to, span};
-use crate::compare::rings;
+use crate::compare::rings::{self, open};
 use crate::geometry::point;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -37,9 +41,16 @@ const WIDE: f64 = 0.75;
 /// radii.
 const ABOUT: [f64; 2] = [0.6, 1.5];
 
+/// A box at whose rim lines end is no more than so many times as long as wide, and its corners are no farther from its
+/// middle than this part of the drawing.
+const SLENDER: f64 = 3.0;
+const BOX: f64 = 0.08;
+
 /// A square, another figure or a cross.
 struct Stamp {
     shape: u32,
+    /// Its sides, if lines may end at them.
+    frame: Option<Frame>,
     is_square: bool,
     /// Where it stands, or may stand.
     middles: [Point; 2],
@@ -53,7 +64,14 @@ struct Stamp {
 impl Stamp {
     /// A stamp that can stand in one place only.
     fn one(shape: u32, (at, radius): (Point, f64), is_hollow: bool, is_square: bool) -> Self {
-        Self { shape, is_square, middles: [at; 2], radii: [radius; 2], is_hollow, corners: Vec::new() }
+        Self { shape, frame: None, is_square, middles: [at; 2], radii: [radius; 2], is_hollow, corners: Vec::new() }
+    }
+}
+
+impl Stamp {
+    /// Whether it is no larger than this.
+    fn is_small(&self, largest: f64) -> bool {
+        self.radii.iter().all(|radius| *radius <= 0.5 * largest)
     }
 }
 
@@ -67,41 +85,71 @@ struct Placed {
     is_hollow: bool,
 }
 
-/// Turns the stamps at the ends of lines into dots. `coats` says what each shape painted. O(n log n).
+/// Turns the stamps at the ends of lines into dots, and takes off heads of arrows. `coats` says what each shape painted.
+/// O(n log n).
 pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
+    let heads = Heads::of(drawing);
+    let stamps = dots(drawing, coats, &heads);
+    let mut gone = heads.take_off(drawing, coats, &stamps).into_iter();
+    let stays = |shape: u32| stamps.binary_search(&shape).is_err();
+    drawing.lines.retain(|line| gone.next() != Some(true) && stays(line.shape));
+    drawing.outlines.retain(|outline| stays(outline.shape));
+}
+
+/// Turns the stamps at the ends of lines into dots, and returns their shapes, sorted.
+fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads) -> Vec<u32> {
     let size = span(&drawing.points().collect::<Vec<Point>>());
-    let found = stamps(drawing, SMALL * size);
+    let found = stamps(drawing, size);
     if found.is_empty() {
-        return;
+        return Vec::new();
     }
     let reach = NEAR * size;
     let places = |points: Vec<Point>| Places::of(&points, reach);
     let ends = |is_stamp: fn(&Stamp) -> bool| {
         let shapes: Vec<u32> = found.iter().filter(|stamp| is_stamp(stamp)).map(|stamp| stamp.shape).collect();
-        let others = drawing.lines.iter().filter(|line| shapes.binary_search(&line.shape).is_err());
-        places(others.flat_map(|line| line.ends).collect())
+        let is_other = |(i, line): &(usize, &Line)| shapes.binary_search(&line.shape).is_err() && !heads.has(*i);
+        let others = drawing.lines.iter().enumerate().filter(is_other);
+        places(others.flat_map(|(_, line)| line.ends).collect())
     };
     // Small faces may look like figures, and their corners are ends as well.
     let (ends, firm) = (ends(|stamp| stamp.corners.is_empty()), ends(|_| true));
     let dots = places(drawing.dots.iter().map(|dot| dot.at).collect());
+    let boxes: BTreeMap<u32, Frame> = found.iter().filter_map(|stamp| Some((stamp.shape, stamp.frame?))).collect();
+    let aimed = rims::aimed(drawing, &boxes, heads, size, |p| dots.near(p, reach).is_some());
+    // A line that ends at a corner may be an edge of a face there.
+    let is_held = |frame: &Frame, (line, end): (usize, usize)| {
+        frame.corners().iter().all(|&corner| distance(corner, drawing.lines[line].ends[end]) > reach)
+    };
+    let is_box = |stamp: &Stamp| {
+        let Some((frame, ends)) = stamp.frame.zip(aimed.ends.get(&stamp.shape)) else { return false };
+        let is_clear = frame.corners().iter().chain([&frame.middle]).all(|&p| dots.near(p, reach).is_none());
+        aimed.are_most && is_clear && ends.iter().any(|&end| is_held(&frame, end))
+    };
     let place = |stamp: &Stamp| {
+        let Stamp { shape, is_hollow, .. } = *stamp;
         let is_vertex = |p: Point| ends.near(p, reach).is_some() && dots.near(p, reach).is_none();
         let is_free = stamp.corners.iter().all(|&p| firm.near(p, reach).is_none() && dots.near(p, reach).is_none());
-        let i = (0..2).find(|&i| is_free && is_vertex(stamp.middles[i]))?;
-        let Stamp { shape, is_hollow, .. } = *stamp;
-        Some(Placed { shape, which: i, at: stamp.middles[i], radius: stamp.radii[i], is_hollow })
+        let is_small = stamp.is_small(SMALL * size);
+        let at_end = (0..2).find(|&i| is_small && is_free && is_vertex(stamp.middles[i]));
+        if let (None, Some(frame)) = (at_end, stamp.frame.filter(|_| is_box(stamp))) {
+            return Some(Placed { shape, which: 0, at: frame.middle, radius: frame.radius(), is_hollow });
+        }
+        at_end.map(|i| Placed { shape, which: i, at: stamp.middles[i], radius: stamp.radii[i], is_hollow })
     };
     let mut vertices: Vec<Placed> = found.iter().filter_map(place).collect();
     let radii = |vertices: &[Placed]| vertices.iter().map(|stamp| stamp.radius).collect();
     let at_ends = usual(radii(&vertices));
     vertices.retain(|stamp| at_ends.is_some_and(|usual| (stamp.radius - usual).abs() <= FIT * usual));
-    vertices
-        .extend(strays(drawing, &found, &vertices, coats, |p| firm.near(p, reach).or(dots.near(p, reach)).is_none()));
+    let is_free = |p| firm.near(p, reach).or(dots.near(p, reach)).is_none();
+    let small: Vec<&Stamp> = found.iter().filter(|stamp| stamp.is_small(SMALL * size)).collect();
+    vertices.extend(strays(drawing, &small, &vertices, coats, is_free));
     vertices.sort_by_key(|stamp| stamp.shape);
     let gone: Vec<u32> = vertices.iter().map(|stamp| stamp.shape).collect();
-    let stays = |shape: u32| gone.binary_search(&shape).is_err();
-    drawing.lines.retain(|line| stays(line.shape));
-    drawing.outlines.retain(|outline| stays(outline.shape));
+    let of_box = |shape: &u32| {
+        let frame = boxes.get(shape)?;
+        Some(aimed.ends.get(shape)?.iter().map(|&end| (end, *frame)))
+    };
+    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>());
     for stamp in vertices {
         repaint(drawing, &stamp, coats[stamp.shape as usize].clone());
         drawing.dots.push(Dot {
@@ -113,6 +161,7 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
             legend: 0,
         });
     }
+    gone
 }
 
 /// The size of most.
@@ -125,7 +174,7 @@ fn usual(mut sizes: Vec<f64>) -> Option<f64> {
 /// circles, and about as large. What is white paints no vertex on paper. `is_free` says where nothing ends or stands.
 fn strays(
     drawing: &Drawing,
-    found: &[Stamp],
+    found: &[&Stamp],
     vertices: &[Placed],
     coats: &[Range<u32>],
     is_free: impl Fn(Point) -> bool,
@@ -142,7 +191,7 @@ fn strays(
     let circles: Vec<f64> = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.radius).collect();
     let circle = painting.coats.iter().find(|coat| coat.part == Part::Dot && coat.alpha > 0.5);
     let circle = circle.zip(usual(circles)).filter(|_| first.is_none());
-    let is_vertex = |stamp: &&Stamp| {
+    let is_vertex = |stamp: &&&Stamp| {
         let Some(own) = coat(stamp.shape) else { return false };
         let radius = stamp.radii[which];
         let is_like = first.is_some_and(|other| {
@@ -158,16 +207,17 @@ fn strays(
         let is_blank = painting.is_blank(coats[stamp.shape as usize].start);
         (is_like || is_about) && is_alone && !is_blank
     };
-    let is_new = |stamp: &&Stamp| vertices.iter().all(|known| known.shape != stamp.shape);
-    let place = |stamp: &Stamp| {
-        let Stamp { shape, is_hollow, .. } = *stamp;
+    let is_new = |stamp: &&&Stamp| vertices.binary_search_by_key(&stamp.shape, |known| known.shape).is_err();
+    let place = |stamp: &&Stamp| {
+        let Stamp { shape, is_hollow, .. } = **stamp;
         Placed { shape, which, at: stamp.middles[which], radius: stamp.radii[which], is_hollow }
     };
     found.iter().filter(is_vertex).filter(is_new).map(place).collect()
 }
 
-/// All squares, figures and crosses up to a size, by their shapes.
-fn stamps(drawing: &Drawing, largest: f64) -> Vec<Stamp> {
+/// All squares, boxes, figures and crosses that are small in a drawing of this size, by their shapes.
+fn stamps(drawing: &Drawing, size: f64) -> Vec<Stamp> {
+    let largest = SMALL * size;
     let mut shapes: BTreeMap<u32, (Vec<&Line>, Vec<&[Point]>)> = BTreeMap::new();
     for line in drawing.lines.iter().filter(|line| !line.aside && line.hidden.is_none()) {
         let lines = &mut shapes.entry(line.shape).or_default().0;
@@ -193,17 +243,15 @@ fn stamps(drawing: &Drawing, largest: f64) -> Vec<Stamp> {
             _ => return None,
         };
         let is_hollow = outlines.is_empty();
+        let frame = Frame::of(&corners, SLENDER, FIT).filter(|frame| frame.reach() <= BOX * size);
+        let frame = frame.map(|frame| Frame { rim: lines.iter().map(|line| line.half).fold(0.0, f64::max), ..frame });
         let square = square(&corners).map(|square| Stamp::one(shape, square, is_hollow, true));
-        square.or_else(|| figure(shape, corners, is_hollow, WIDE * largest))
+        let stamp = square.or_else(|| figure(shape, corners, is_hollow, WIDE * largest));
+        let stamp = stamp.or_else(|| frame.map(|f| Stamp::one(shape, (f.middle, f64::INFINITY), is_hollow, false)));
+        stamp.map(|stamp| Stamp { frame, ..stamp })
     };
-    let is_small = |stamp: &Stamp| stamp.radii.iter().all(|radius| *radius <= 0.5 * largest);
-    shapes.into_iter().filter_map(stamp).filter(is_small).collect()
-}
-
-/// The corners of an outline, each once.
-fn open(points: &[Point]) -> &[Point] {
-    let closed = points.len() > 1 && points.first() == points.last();
-    &points[..points.len() - usize::from(closed)]
+    let may_be = |stamp: &Stamp| stamp.frame.is_some() || stamp.is_small(largest);
+    shapes.into_iter().filter_map(stamp).filter(may_be).collect()
 }
 
 /// A figure of few corners about the middle of these, or about the middle of their box, if that lies well inside; which
@@ -229,7 +277,8 @@ fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Op
     let mut found = [mean, middle(low, high)].into_iter().filter_map(inner);
     let first = found.next()?;
     let second = found.next().unwrap_or(first);
-    Some(Stamp { shape, is_square: false, middles: [first, second], radii: [radius; 2], is_hollow, corners })
+    let middles = [first, second];
+    Some(Stamp { shape, frame: None, is_square: false, middles, radii: [radius; 2], is_hollow, corners })
 }
 
 fn middle(p: Point, q: Point) -> Point {
@@ -256,15 +305,18 @@ fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(Point, f64)> {
     (long > 0.0 && is_right && fits).then_some((middle(a, b), 0.35 * long))
 }
 
-/// The coats of a stamp become one disc.
+/// The coats of a stamp become a disc, and a rim if it has one of its own.
 fn repaint(drawing: &mut Drawing, stamp: &Placed, coats: Range<u32>) {
     let one = 1.0 / stamp.radius;
-    let from = if stamp.is_hollow { 0.7 } else { 0.0 };
-    let disc = Disc { centre: stamp.at, inverse: [one, 0.0, 0.0, one], from, to: 1.0, reach: stamp.radius };
-    for (i, coat) in drawing.painting.coats[coats.start as usize..coats.end as usize].iter_mut().enumerate() {
+    let coats = &mut drawing.painting.coats[coats.start as usize..coats.end as usize];
+    let is_area = |coat: &Coat| matches!(coat.shape, Shape::Area(_));
+    let rim = coats.iter().position(|coat| !is_area(coat)).filter(|&i| i > 0 && !stamp.is_hollow);
+    for (i, coat) in coats.iter_mut().enumerate() {
+        let from = if stamp.is_hollow || rim == Some(i) { 0.7 } else { 0.0 };
+        let disc = Disc { centre: stamp.at, inverse: [one, 0.0, 0.0, one], from, to: 1.0, reach: stamp.radius };
         coat.shape = Shape::Disc(disc);
         coat.part = Part::Dot;
-        if i > 0 {
+        if i > 0 && rim != Some(i) {
             coat.alpha = 0.0;
         }
     }

@@ -8,6 +8,7 @@
 
 use super::super::ink::Hidden;
 use super::super::painting::{Mark, Part, Shape};
+use super::super::pairing::distance;
 use super::{Eye, FAINT, contrast};
 use crate::plane::Point;
 
@@ -19,8 +20,8 @@ const STEPS: f64 = 16.0;
 const INSIDE: f64 = 0.9;
 
 /// An edge on the canvas.
-pub(super) struct Way {
-    pub(super) from: Point,
+pub(in crate::compare) struct Way {
+    from: Point,
     /// Its direction, of length 1.
     pub(super) along: Point,
     pub(super) length: f64,
@@ -30,13 +31,20 @@ pub(super) struct Way {
 }
 
 impl Way {
+    /// The way from end to end.
+    pub(in crate::compare) fn new([a, b]: [Point; 2], discs: [f64; 2], tolerance: f64) -> Self {
+        let length = distance(a, b);
+        let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
+        Self { from: a, along, length, discs, tolerance }
+    }
+
     /// The point so far from the start.
     pub(super) fn at(&self, far: f64) -> Point {
         Point::new(self.from.x + far * self.along.x, self.from.y + far * self.along.y)
     }
 
     /// Whether a point so far from the start lies between the circles.
-    pub(super) fn is_open(&self, far: f64) -> bool {
+    pub(in crate::compare) fn is_open(&self, far: f64) -> bool {
         far >= self.discs[0] && self.length - far >= self.discs[1]
     }
 }

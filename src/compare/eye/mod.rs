@@ -11,9 +11,11 @@
 //! them; pixels are not drawn.
 //!
 //! ```text
-//!   gaps.rs  Stretches of an edge that something covers
+//!   blocks.rs  Plain areas that lie over an edge
+//!   gaps.rs    Stretches of an edge that something covers
 //! ```
 
+mod blocks;
 mod gaps;
 
 use super::beside::Beside;
@@ -22,7 +24,8 @@ use super::ink::Hidden;
 use super::painting::{Coat, Disc, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
-use gaps::{Gap, Way};
+use gaps::Gap;
+pub(super) use gaps::Way;
 
 /// Less contrast than this, in steps of 255, cannot be seen of lines and circles.
 pub(super) const FAINT: f64 = 8.0;
@@ -70,6 +73,8 @@ pub(super) struct Eye<'a> {
     work: usize,
     /// What may be letters, by the middles of the boxes round it, from left to right; once it is asked for.
     inside: Option<Vec<(Point, u32)>>,
+    /// Plain areas over lines, once they are asked for.
+    blocks: Option<Vec<u32>>,
     /// What covers the point that was looked at, the lowest first: all but letters of ordinary size, and these.
     pub(super) stack: Vec<u32>,
     pub(super) letters: Vec<u32>,
@@ -127,6 +132,7 @@ impl<'a> Eye<'a> {
             span,
             work: 0,
             inside: None,
+            blocks: None,
             stack: Vec::new(),
             letters: Vec::new(),
         }
@@ -242,14 +248,12 @@ impl<'a> Eye<'a> {
     /// stranger may be. `ends` are on the canvas; `discs` are the radii of the circles there.
     pub(super) fn edge(
         &mut self,
-        [a, b]: [Point; 2],
+        ends: [Point; 2],
         discs: [f64; 2],
         tolerance: f64,
         is_stranger: bool,
     ) -> Result<(), Hidden> {
-        let length = distance(a, b);
-        let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
-        let way = Way { from: a, along, length, discs, tolerance };
+        let way = Way::new(ends, discs, tolerance);
         let mut marks = Vec::with_capacity(self.probes);
         let mut reasons = Vec::new();
         let (mut gap_is_small, mut blotted, mut crossed) = (true, false, 0);
@@ -258,7 +262,7 @@ impl<'a> Eye<'a> {
             if self.is_tired() {
                 return Ok(());
             }
-            let far = length * (i as f64 + 0.5) / self.probes as f64;
+            let far = way.length * (i as f64 + 0.5) / self.probes as f64;
             if !way.is_open(far) {
                 continue;
             }
@@ -288,7 +292,7 @@ impl<'a> Eye<'a> {
         let enough = seen >= SEEN || seen >= 1.0 - GAP && (labelled || seen + part(crossed) >= SEEN);
         let shows = is_stranger && part(marks.iter().filter(|mark| mark.0 && mark.1).count()) > 1.0 - SEEN;
         if shows || enough && alone >= ALONE && !blotted {
-            return Ok(());
+            return if !is_stranger && self.is_blocked(&way) { Err(Hidden::Area) } else { Ok(()) };
         }
         reasons.sort_unstable();
         let count = |why: &Hidden| reasons.iter().filter(|other| *other == why).count();

@@ -255,6 +255,34 @@ fn figures_of_the_kit_are_equal_at_every_width() {
     }
 }
 
+/// As leaders do, and arrows of pointers, where a figure is drawn small.
+#[test]
+fn thin_lines_of_decoration_over_an_arrow_hide_nothing_of_it() {
+    let whole = reference();
+    let lines: Vec<String> = whole.lines().map(str::to_owned).collect();
+    for name in ["h0", "h7", "h20"] {
+        let [[a, b], [c, d]] = ends(&lines, name);
+        let [x, y] = direction(&whole, name).map(|part| 0.8 * part);
+        let over = |style: &str| {
+            // Along nearly all of its line, and on over its barb.
+            let leader = format!(
+                "<line class=\"leader\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {style}/></svg>",
+                a - x,
+                b + y,
+                c + x,
+                d - y
+            );
+            whole.replacen("</svg>", &leader, 1)
+        };
+        let answer = judge(&whole, &over("style=\"stroke:#7a5a00;stroke-width:2.4\""));
+        assert!(answer.is_equal(), "{name}: {}", answer.text());
+        // One that is not seen itself, and a broad one.
+        for style in ["style=\"stroke:#fff;stroke-width:2.4\"", "style=\"stroke:#7a5a00;stroke-width:9\""] {
+            says(&over(style), &format!("half-edge is declared and cannot be seen: {name}"));
+        }
+    }
+}
+
 /// Each stroke could be a part of the head that each other one begins, and each head could be that of each copy of the line.
 #[test]
 fn a_half_edge_of_many_strokes_ends_quickly() {

@@ -4,52 +4,52 @@ use super::judge;
 use dcel_kit::compare::{Options, compare};
 use std::fmt::Write;
 
-type P = [f64; 2];
+pub(super) type P = [f64; 2];
 
-const CORNERS: [P; 4] = [[50.0, 350.0], [550.0, 350.0], [550.0, 50.0], [450.0, 250.0]];
+pub(super) const CORNERS: [P; 4] = [[50.0, 350.0], [550.0, 350.0], [550.0, 50.0], [450.0, 250.0]];
 /// The last one is 141 px long.
-const EDGES: [[usize; 2]; 5] = [[0, 1], [1, 2], [2, 3], [3, 0], [1, 3]];
+pub(super) const EDGES: [[usize; 2]; 5] = [[0, 1], [1, 2], [2, 3], [3, 0], [1, 3]];
 
-fn line([[a, b], [c, d]]: [P; 2], style: &str) -> String {
+pub(super) fn line([[a, b], [c, d]]: [P; 2], style: &str) -> String {
     format!("<line x1=\"{a}\" y1=\"{b}\" x2=\"{c}\" y2=\"{d}\" {style}/>")
 }
 
 /// The drawing with its edges and its vertices drawn like this, and with this behind all.
-fn drawn(edge: impl Fn(usize, [P; 2]) -> String, vertex: impl Fn(P) -> String, last: &str) -> String {
+pub(super) fn drawn(edge: impl Fn(usize, [P; 2]) -> String, vertex: impl Fn(P) -> String, last: &str) -> String {
     let edges = EDGES.iter().enumerate().map(|(i, ends)| edge(i, ends.map(|v| CORNERS[v])));
     let parts: Vec<String> = edges.chain(CORNERS.iter().map(|&p| vertex(p))).collect();
     format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 600 400\">\n{}{last}</svg>", parts.join("\n"))
 }
 
-fn edge(_: usize, ends: [P; 2]) -> String {
+pub(super) fn edge(_: usize, ends: [P; 2]) -> String {
     line(ends, "stroke=\"#333\" stroke-width=\"1.5\"")
 }
 
-fn circle([x, y]: P, radius: f64) -> String {
+pub(super) fn circle([x, y]: P, radius: f64) -> String {
     format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>")
 }
 
-fn vertex(p: P) -> String {
+pub(super) fn vertex(p: P) -> String {
     circle(p, 4.0)
 }
 
-fn square([x, y]: P, side: f64, style: &str) -> String {
+pub(super) fn square([x, y]: P, side: f64, style: &str) -> String {
     let half = 0.5 * side;
     format!("<rect x=\"{}\" y=\"{}\" width=\"{side}\" height=\"{side}\" {style}/>", x - half, y - half)
 }
 
-fn with(last: &str) -> String {
+pub(super) fn with(last: &str) -> String {
     drawn(edge, vertex, last)
 }
 
 #[track_caller]
-fn same(svg: &str) {
+pub(super) fn same(svg: &str) {
     let answer = judge(&with(""), svg);
     assert!(answer.is_equal(), "{}\n{svg}", answer.text());
 }
 
 #[track_caller]
-fn says(svg: &str, said: &str) {
+pub(super) fn says(svg: &str, said: &str) {
     let answer = judge(&with(""), svg);
     let texts: Vec<&str> = answer.differences().iter().map(|difference| difference.text.as_str()).collect();
     assert!(texts.len() == 1 && texts[0].contains(said), "`{said}` not said: {}\n{svg}", answer.text());
@@ -96,6 +96,37 @@ fn a_box_hides_what_letters_would_not_hide() {
         says(&with(&format!("{name}{}", square(middle, 32.0, &style))), said);
         says(&with(&format!("{}{}", square(middle, 32.0, &style), square(middle, 20.0, &style))), said);
     }
+}
+
+#[test]
+fn a_plain_area_that_hides_a_stretch_of_an_edge_is_told() {
+    let [level, slanted] = [[300.0, 350.0], [500.0, 300.0]];
+    let said = |ends: &str| format!("edge between {ends} cannot be seen: a filled shape is drawn over it");
+    let [first, last] = ["(50, 350) and (550, 350)", "(550, 350) and (450, 250)"].map(said);
+    for fill in ["white", "pink", "#f8f8f8"] {
+        let style = format!("fill=\"{fill}\"");
+        for side in [18.0, 20.0, 24.0, 30.0] {
+            says(&with(&square(level, side, &style)), &first);
+            says(&with(&square(slanted, side, &style)), &last);
+            // As the ground of a label, and as large as a letter.
+            let label = "<text x=\"294\" y=\"354\" font-size=\"11\">e1</text>";
+            same(&with(&format!("{}{label}", square(level, side, &style))));
+            says(&with(&format!("{label}{}", square(level, side, &style))), &first);
+        }
+        same(&with(&square(level, 14.0, &style)));
+        // A triangle, and a bar along the edge; across the edge it hides next to nothing.
+        says(&with(&format!("<path d=\"M285 360h30L300 335z\" {style}/>")), &first);
+        says(&with(&format!("<rect x=\"280\" y=\"347\" width=\"40\" height=\"6\" {style}/>")), &first);
+        same(&with(&format!("<rect x=\"297\" y=\"330\" width=\"6\" height=\"40\" {style}/>")));
+        // Below the edges, and where another area lies over nothing of them.
+        let below = with("").replacen("<line", &format!("{}<line", square(level, 30.0, &style)), 1);
+        same(&below);
+        same(&with(&square([300.0, 330.0], 30.0, &style)));
+    }
+    // A reference that hides it, too, asks for no more.
+    let hidden = with(&square(level, 24.0, "fill=\"white\""));
+    let answer = judge(&hidden, &hidden.replace('\n', " "));
+    assert!(answer.is_equal(), "{}", answer.text());
 }
 
 /// The edges without so many px at each end.
@@ -162,6 +193,24 @@ fn a_curve_that_is_straight_but_for_rounded_numbers_is_a_line() {
     let large = drawn(curve(0.04), vertex, "").replace("0 0 600 400", "0 0 60 40");
     let large = large.replacen('\n', "\n<g transform=\"scale(.1)\">", 1).replace("</svg>", "</g></svg>");
     same(&large);
+}
+
+#[test]
+fn an_arc_with_a_very_large_radius_is_a_line() {
+    let arc = |radius: &'static str| {
+        move |_: usize, [[a, b], [c, d]]: [P; 2]| {
+            format!("<path fill=\"none\" stroke=\"black\" d=\"M{a} {b}A{radius} 0 0 1 {c} {d}\"/>")
+        }
+    };
+    for radius in ["1e6 1e6", "1e9 1e9", "1e12 1e12", "1e300 1e300", "2e9 1e9"] {
+        same(&drawn(arc(radius), vertex, ""));
+        let extra = format!("<path fill=\"none\" stroke=\"black\" d=\"M50 350A{radius} 0 0 0 550 50\"/>");
+        says(&with(&extra), "edge between (50, 350) and (550, 50) is not in the reference");
+    }
+    // One that rises by 35 px is none, nor is the other part of the circle.
+    assert!(!judge(&with(""), &drawn(arc("900 900"), vertex, "")).is_equal());
+    let round = |i: usize, ends: [P; 2]| arc("1e6 1e6")(i, ends).replace(" 0 0 1 ", " 0 1 1 ");
+    assert!(!judge(&with(""), &drawn(round, vertex, "")).is_equal());
 }
 
 #[test]

@@ -272,11 +272,12 @@ fn heads_stand_on_the_ends_of_their_lines() {
     }
 }
 
-/// A small square at a corner of a drawing holds nothing, and all else is no tick of it.
+/// A small square at a corner of a drawing holds nothing, and all else is no tick of it. Lines that reach the squares end at
+/// vertices: see `nodes`.
 #[test]
 fn a_frame_holds_something() {
     let short = |_: usize, [[a, b], [c, d]]: [P; 2]| {
-        let part = 10.0 / (c - a).abs().max((d - b).abs());
+        let part = 14.0 / (c - a).abs().max((d - b).abs());
         let [x, y] = [part * (c - a), part * (d - b)];
         line([[a + x, b + y], [c - x, d - y]], "")
     };

@@ -1,0 +1,167 @@
+//! Lines that end at the rims of squares and boxes, as programs draw nodes of graphs.
+//!
+//! ```text
+//!   ┌───┐        ┌───┐      the line stops where it meets the box, and points to its middle: there its vertex is
+//!   │ a ├────────┤ b │
+//!   └───┘        └───┘
+//! ```
+
+use super::heads::{Heads, stroke, strokes};
+use super::{Drawing, Line};
+use crate::compare::ends::Loose;
+use crate::compare::painting::Shape;
+use crate::compare::pairing::distance;
+use crate::plane::Point;
+use std::collections::BTreeMap;
+
+/// How near to its rim a line ends, and how far aside of its middle it may point, as parts of the drawing.
+const NEAR: f64 = 1e-3;
+const ASIDE: f64 = 4e-4;
+/// Boxes looked at for all ends; what takes more stays as it is.
+const WORK: usize = 20_000_000;
+
+/// A box: its middle, half of two sides that meet, and half the width of its rim.
+#[derive(Clone, Copy)]
+pub(super) struct Frame {
+    pub(super) middle: Point,
+    pub(super) halves: [Point; 2],
+    pub(super) rim: f64,
+}
+
+impl Frame {
+    /// The box with these corners, if it is one no more than so many times as long as wide.
+    pub(super) fn of(points: &[Point], slender: f64, fit: f64) -> Option<Self> {
+        let &[a, b, c, d] = points else { return None };
+        let half = |p: Point, q: Point| Point::new(0.5 * (q.x - p.x), 0.5 * (q.y - p.y));
+        let middle = Point::new(0.5 * (a.x + c.x), 0.5 * (a.y + c.y));
+        let other = Point::new(0.5 * (b.x + d.x), 0.5 * (b.y + d.y));
+        let halves = [half(a, b), half(b, c)];
+        let [long, wide] = halves.map(|h| h.x.hypot(h.y));
+        let slack = fit * long.min(wide);
+        let is_right = (halves[0].x * halves[1].x + halves[0].y * halves[1].y).abs() <= fit * long * wide;
+        let is_even = distance(middle, other) <= slack && (distance(a, c) - distance(b, d)).abs() <= slack;
+        let is_stout = long.min(wide) > 0.0 && long.max(wide) <= slender * long.min(wide);
+        (is_right && is_even && is_stout).then_some(Self { middle, halves, rim: 0.0 })
+    }
+
+    /// How far a point lies beyond the sides; less than 0 within.
+    fn beyond(&self, p: Point) -> f64 {
+        let way = Point::new(p.x - self.middle.x, p.y - self.middle.y);
+        let off = self.halves.map(|half| {
+            let long = half.x.hypot(half.y);
+            (way.x * half.x + way.y * half.y).abs() / long - long
+        });
+        off[0].max(off[1])
+    }
+
+    /// How far the corners are from the middle.
+    pub(super) fn reach(&self) -> f64 {
+        let [a, b] = self.halves;
+        (a.x + b.x).hypot(a.y + b.y)
+    }
+
+    /// The radius of the circle that touches the longer sides.
+    pub(super) fn radius(&self) -> f64 {
+        let [long, wide] = self.halves.map(|half| half.x.hypot(half.y));
+        long.min(wide)
+    }
+
+    pub(super) fn corners(&self) -> [Point; 4] {
+        let [a, b] = self.halves;
+        [[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]]
+            .map(|[s, t]| Point::new(self.middle.x + s * a.x + t * b.x, self.middle.y + s * a.y + t * b.y))
+    }
+}
+
+/// Ends of lines at the rims of boxes.
+pub(super) struct Aimed {
+    /// By the shapes of the boxes: the number of each line, and which end of it.
+    pub(super) ends: BTreeMap<u32, Vec<(usize, usize)>>,
+    /// Whether most ends of lines that reach no other vertex are such ends.
+    pub(super) are_most: bool,
+}
+
+/// Finds the ends of lines at the rims of boxes, which are given with their shapes, in a drawing of this size. `is_reached`
+/// says which points are at other vertices. O(n log n), up to a cap.
+pub(super) fn aimed(
+    drawing: &Drawing,
+    boxes: &BTreeMap<u32, Frame>,
+    heads: &Heads,
+    size: f64,
+    is_reached: impl Fn(Point) -> bool,
+) -> Aimed {
+    let mut out = Aimed { ends: BTreeMap::new(), are_most: false };
+    if boxes.is_empty() {
+        return out;
+    }
+    let is_line = |(i, line): &(usize, &Line)| {
+        let is_plain = !line.aside && line.hidden.is_none() && line.legend == 0;
+        is_plain && !boxes.contains_key(&line.shape) && !heads.has(*i)
+    };
+    let lines: Vec<(usize, &Line)> = drawing.lines.iter().enumerate().filter(is_line).collect();
+    let mut loose = Loose::default();
+    lines.iter().for_each(|(_, line)| loose.add(line.ends));
+    let cell = boxes.values().map(Frame::reach).fold(NEAR * size, f64::max);
+    let place = |p: Point| ((p.x / cell).floor() as i64, (p.y / cell).floor() as i64);
+    let mut cells: BTreeMap<(i64, i64), Vec<u32>> = BTreeMap::new();
+    boxes.iter().for_each(|(shape, frame)| cells.entry(place(frame.middle)).or_default().push(*shape));
+    let (mut found, mut all, mut looked) = (0, 0, 0);
+    for (number, line) in lines {
+        for end in 0..2 {
+            let (own, other) = (line.ends[end], line.ends[1 - end]);
+            all += usize::from(!is_reached(own));
+            if !loose.is(own) {
+                continue;
+            }
+            let tip = heads.end(number, line, end);
+            let (x, y) = place(own);
+            let near = (x - 2..=x + 2).flat_map(|x| (y - 2..=y + 2).map(move |y| (x, y)));
+            let near = near.flat_map(|at| cells.get(&at).map_or(&[][..], Vec::as_slice));
+            let mut at = None;
+            for shape in near {
+                looked += 1;
+                if looked > WORK {
+                    return out;
+                }
+                let frame = &boxes[shape];
+                let reach = frame.rim + line.half + NEAR * size;
+                if frame.beyond(tip) <= reach && frame.beyond(other) > reach && points_at([other, own], frame, size) {
+                    at = Some(*shape);
+                }
+            }
+            if let Some(shape) = at {
+                found += 1;
+                out.ends.entry(shape).or_default().push((number, end));
+            }
+        }
+    }
+    out.are_most = 2 * found > all;
+    out
+}
+
+/// Whether a line from one point to another goes on to the middle of a box.
+fn points_at([from, to]: [Point; 2], frame: &Frame, size: f64) -> bool {
+    let long = distance(from, to);
+    let way = Point::new((to.x - from.x) / long, (to.y - from.y) / long);
+    let rest = Point::new(frame.middle.x - to.x, frame.middle.y - to.y);
+    rest.x * way.x + rest.y * way.y > 0.0 && (rest.x * way.y - rest.y * way.x).abs() <= ASIDE * size
+}
+
+/// Lets lines end in the middles of boxes, and their ink at the circles that stand for these.
+pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)]) {
+    let strokes = if ends.is_empty() { BTreeMap::new() } else { strokes(drawing) };
+    let before: Vec<[Point; 2]> = ends.iter().map(|((number, _), _)| drawing.lines[*number].ends).collect();
+    for (((number, end), frame), before) in ends.iter().zip(before) {
+        drawing.lines[*number].ends[*end] = frame.middle;
+        let other = before[1 - end];
+        let part = frame.radius() / distance(other, frame.middle);
+        let towards = |p: f64, q: f64| q + part * (p - q);
+        let rim = Point::new(towards(other.x, frame.middle.x), towards(other.y, frame.middle.y));
+        let coat = strokes.get(&stroke(before)).map(|&coat| &mut drawing.painting.coats[coat as usize].shape);
+        if let Some(Shape::Stroke(ends, _)) = coat
+            && distance(other, rim) > distance(other, before[*end])
+        {
+            ends[*end] = rim;
+        }
+    }
+}
