@@ -11,7 +11,7 @@ use dcel_kit::figure::FigureOptions;
 fn badges(answer: &Comparison) -> usize {
     let svg = answer.figure(&FigureOptions::new("numbers")).unwrap().to_svg();
     let count = svg.matches("class=\"badge\"").count();
-    assert!(count % 2 == 0, "{count}");
+    assert!(count.is_multiple_of(2), "{count}");
     count / 2
 }
 
