@@ -281,8 +281,9 @@ impl<'a> Target<'a> {
             // A circle stands for its vertex, not for more than half of an edge.
             let half = 0.5 * super::pairing::distance(ends[0], ends[1]);
             let radii = edge.map(|m| found.radii[m as usize].min(half));
-            if let Some(&dashes) = found.sparse.get(&edge) {
-                if specks.has(graph.ends(edge)) || !eye.any_dash(ends, radii, dashes) {
+            if let Some(lines) = found.sparse.get(&edge) {
+                let mut is_seen = || lines.iter().any(|&dashes| eye.any_dash(ends, radii, dashes));
+                if specks.has(graph.ends(edge)) || !is_seen() {
                     out.edges.push((edge, Hidden::Dashes));
                 }
                 continue;

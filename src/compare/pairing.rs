@@ -13,6 +13,9 @@ const LEFT: usize = 300;
 /// How far a vertex may have moved, as a part of the whole.
 const STRAYED: f64 = 0.15;
 
+/// Points lie next to each other within this part of a size.
+pub(super) const NEXT: f64 = 0.02;
+
 /// Points in buckets of a size, to be found by place.
 pub(super) struct Places {
     size: f64,
@@ -31,6 +34,16 @@ impl Places {
         let mut out = Self::new(size);
         for &p in points {
             out.add(p);
+        }
+        out
+    }
+
+    /// These points, but for those that lie next to an earlier one: to ask whether there are any, however many lie at one
+    /// place.
+    pub(super) fn thinned(points: impl IntoIterator<Item = Point>, size: f64) -> Self {
+        let mut out = Self::new(size);
+        for p in points {
+            out.near_or_add(p, NEXT * size);
         }
         out
     }

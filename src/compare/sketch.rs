@@ -62,8 +62,8 @@ pub(super) struct Sketch {
     pub(super) doubled: usize,
     /// Lines that nobody sees where nothing else is drawn.
     pub(super) unseen: usize,
-    /// Edges of whose lines dashes draw hardly anything, with the coats of these dashes.
-    pub(super) sparse: BTreeMap<[u32; 2], [u32; 2]>,
+    /// Edges that dashes leave out in part, or nearly whole, with the coats of the dashes of each line.
+    pub(super) sparse: BTreeMap<[u32; 2], Vec<[u32; 2]>>,
     /// Such lines of a reference.
     pub(super) specks: Vec<[Point; 2]>,
     pub(super) beside: Beside,
@@ -298,7 +298,7 @@ impl Sketch {
                 }
             }
         }
-        let mut sparse = BTreeMap::new();
+        let mut sparse: BTreeMap<[u32; 2], Vec<[u32; 2]>> = BTreeMap::new();
         if !dashed.is_empty() {
             let number = |edge: &[u32; 2]| {
                 let [a, b] = edge.map(|v| snap.numbers[v as usize]);
@@ -309,10 +309,9 @@ impl Sketch {
             for (dashes, places) in dashed {
                 let chain = cutter.chain(places.map(|p| snap.number(p)), places)?;
                 let parts = chain.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]);
-                let parts: Vec<[u32; 2]> = parts.collect();
-                if !parts.iter().any(|edge| known.contains(edge)) {
-                    sparse.extend(parts.iter().map(|edge| (*edge, dashes)));
-                    edges.extend(parts);
+                for edge in parts.filter(|edge| !known.contains(edge)) {
+                    sparse.entry(edge).or_default().push(dashes);
+                    edges.push(edge);
                 }
             }
         }
@@ -398,7 +397,7 @@ impl Sketch {
     }
 }
 
-/// The lines of a drawing of which dashes draw hardly anything, where the frame brings them.
+/// The lines of a drawing that dashes leave out in part, or nearly whole, where the frame brings them.
 pub(super) fn specks(drawing: &Drawing, frame: &Frame) -> Vec<[Point; 2]> {
     let lines = drawing.lines.iter().filter(|line| line.dashes[0] < line.dashes[1]);
     lines.map(|line| line.ends.map(|p| frame.apply(p))).collect()

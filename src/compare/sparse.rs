@@ -1,4 +1,4 @@
-//! Lines of which dashes draw hardly anything: they are no edges, but their ink is seen.
+//! Lines that dashes leave out in part, or nearly whole: they are no edges, but their ink is seen.
 //!
 //! ```text
 //!   ●▪▪                ●     an edge of the reference that is drawn so is hidden;

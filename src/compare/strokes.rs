@@ -1,7 +1,7 @@
 //! Whether lines that are no edges are seen, and small areas: those of half-edges.
 //!
 //! ```text
-//!    ──┃──▸     a thin line of decoration that crosses an arrow, as a leader does, hides nothing of it if it is seen itself
+//!    ──┃──▸     a thin line of decoration over an arrow, as leaders are, hides nothing of it if it is seen itself
 //! ```
 
 use super::eye::{Eye, FAINT, contrast};

@@ -13,10 +13,11 @@ use std::path::{Path, PathBuf};
 pub(super) fn make(dir: &Path, files: &BTreeMap<String, Packed>) -> Result<(), Failure> {
     let whole = std::path::absolute(dir).map_err(|error| Failure::writing(dir.display(), &error))?;
     let on_the_way: Vec<&Path> = whole.ancestors().skip(1).take_while(|folder| !folder.exists()).collect();
-    if let Some(parent) = on_the_way.first() {
-        fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))?;
-    }
-    let made = put_folder(dir, files.iter().map(|(path, file)| (path.as_str(), file.bytes.as_slice())));
+    let way = on_the_way.first().map_or(Ok(()), |parent| {
+        fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))
+    });
+    let made =
+        way.and_then(|()| put_folder(dir, files.iter().map(|(path, file)| (path.as_str(), file.bytes.as_slice()))));
     if made.is_err() {
         // Those that are not empty stay, and so do those above them.
         on_the_way.into_iter().take_while(|folder| fs::remove_dir(folder).is_ok()).for_each(drop);

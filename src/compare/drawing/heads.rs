@@ -11,10 +11,11 @@
 use super::{Drawing, Line};
 use crate::compare::ends::Circles;
 use crate::compare::painting::{Mark, Part, Shape};
-use crate::compare::pairing::{Places, distance, span};
+use crate::compare::pairing::{NEXT, Places, distance, span};
 use crate::compare::rings::open;
 use crate::geometry::point::corners;
 use crate::plane::Point;
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -27,6 +28,8 @@ const FIT: f64 = 0.06;
 const NEAR: f64 = 1e-3;
 /// How far aside of a line the middle of its circle may lie, as a part of the drawing.
 const ASIDE: f64 = 8e-5;
+/// Ends of lines looked at for all heads; what takes more stays as it is.
+const WORK: usize = 20_000_000;
 /// Half the angle of the tip: its sine is between these.
 const ANGLE: [f64; 2] = [0.12, 0.87];
 
@@ -37,6 +40,9 @@ struct Head {
     /// Where its line ends as it is drawn, and whether that is at the tip.
     was: Point,
     is_at_tip: bool,
+    /// The corner at the tip, and those beside it.
+    corner: Point,
+    sides: [Point; 2],
     /// How far its ink reaches.
     tip: Point,
     /// The lines that draw it.
@@ -87,7 +93,13 @@ impl Heads {
 
     /// Takes off the heads at vertices, and lets their lines end there. Returns which lines are gone. `coats` says what
     /// each shape painted; `stamps` are the shapes of vertices, sorted.
-    pub(super) fn take_off(self, drawing: &mut Drawing, coats: &[Range<u32>], stamps: &[u32]) -> Vec<bool> {
+    pub(super) fn take_off(
+        self,
+        drawing: &mut Drawing,
+        coats: &[Range<u32>],
+        stamps: &[u32],
+        inked: &Inked,
+    ) -> Vec<bool> {
         let mut gone = vec![false; drawing.lines.len()];
         if self.all.is_empty() {
             return gone;
@@ -95,10 +107,9 @@ impl Heads {
         let size = span(&drawing.points().collect::<Vec<Point>>());
         let dots: Vec<(Point, f64)> =
             drawing.dots.iter().filter(|dot| dot.hidden.is_none()).map(|dot| (dot.at, dot.radius)).collect();
-        let places = Places::of(&dots.iter().map(|dot| dot.0).collect::<Vec<_>>(), NEAR * size);
+        let places = Places::thinned(dots.iter().map(|dot| dot.0), NEAR * size);
         let mut circles = Circles::new(dots, ASIDE * size);
-        let strokes = strokes(drawing);
-        for Head { shaft: (number, end), was, is_at_tip, tip, lines, shape } in self.all {
+        for Head { shaft: (number, end), was, is_at_tip, corner, sides, tip, lines, shape } in self.all {
             if shape.is_some_and(|shape| stamps.binary_search(&shape).is_ok()) {
                 continue;
             }
@@ -108,19 +119,23 @@ impl Heads {
             let near = |p: Point| places.near(p, NEAR * size).map(|i| places.points()[i as usize]);
             // A line that ends at the base of its head has to reach its vertex by that, unless it was brought there.
             let is_near = is_at_tip || was != own;
+            // Strokes that end at vertices on both sides are edges.
+            let is_edge = |p: Point| near(p).is_some() || circles.aimed(p, corner, reach, ASIDE * size).is_some();
+            if sides.map(is_edge) != [false; 2] {
+                continue;
+            }
             let mut aimed = |p: Point| circles.aimed(p, other, reach, ASIDE * size);
             let vertex = near(own).filter(|_| is_near).or_else(|| near(tip)).or_else(|| aimed(tip));
             let Some(at) = vertex.or_else(|| aimed(own).filter(|_| is_near)) else { continue };
-            let key = stroke(line.ends);
             drawing.lines[number].ends[end] = at;
             let painting = &mut drawing.painting;
-            if let Some(&coat) = strokes.get(&key)
+            if let Some(coat) = inked.coat(number)
                 && distance(tip, other) > distance(own, other)
                 && let Shape::Stroke(ends, _) = &mut painting.coats[coat as usize].shape
             {
                 ends[end] = tip;
             }
-            let of_lines = lines.iter().filter_map(|&i| strokes.get(&stroke(drawing.lines[i].ends)).copied());
+            let of_lines = lines.iter().filter_map(|&i| inked.coat(i));
             let all = shape.map_or(0..0, |shape| coats[shape as usize].clone()).chain(of_lines);
             all.for_each(|i| painting.coats[i as usize].part = Part::Mark(Mark::Marker));
             lines.iter().for_each(|&i| gone[i] = true);
@@ -129,18 +144,35 @@ impl Heads {
     }
 }
 
-/// The coats of lines, by their ends as they are drawn.
-pub(super) fn strokes(drawing: &Drawing) -> BTreeMap<[u64; 4], u32> {
-    let lines = (0..).zip(&drawing.painting.coats).filter(|(_, coat)| coat.part == Part::Line);
-    let key = |(i, shape): (u32, &Shape)| match shape {
-        Shape::Stroke(ends, _) => Some((stroke(*ends), i)),
-        _ => None,
-    };
-    lines.filter_map(|(i, coat)| key((i, &coat.shape))).collect()
+/// Lines as they are drawn, whatever is made of them.
+pub(super) struct Inked {
+    ends: Vec<[Point; 2]>,
+    /// The coat of each line.
+    coats: BTreeMap<[u64; 4], u32>,
+}
+
+impl Inked {
+    pub(super) fn of(drawing: &Drawing) -> Self {
+        let lines = (0..).zip(&drawing.painting.coats).filter(|(_, coat)| coat.part == Part::Line);
+        let key = |(i, shape): (u32, &Shape)| match shape {
+            Shape::Stroke(ends, _) => Some((stroke(*ends), i)),
+            _ => None,
+        };
+        let coats = lines.filter_map(|(i, coat)| key((i, &coat.shape))).collect();
+        Self { ends: drawing.lines.iter().map(|line| line.ends).collect(), coats }
+    }
+
+    pub(super) fn ends(&self, line: usize) -> [Point; 2] {
+        self.ends[line]
+    }
+
+    pub(super) fn coat(&self, line: usize) -> Option<u32> {
+        self.coats.get(&stroke(self.ends[line])).copied()
+    }
 }
 
 /// A line by the bits of its ends.
-pub(super) fn stroke([a, b]: [Point; 2]) -> [u64; 4] {
+fn stroke([a, b]: [Point; 2]) -> [u64; 4] {
     [a.x, a.y, b.x, b.y].map(f64::to_bits)
 }
 
@@ -158,6 +190,8 @@ struct Around<'a> {
     places: Places,
     lines: Vec<(usize, usize)>,
     dots: Places,
+    /// How many ends of lines were looked at.
+    looked: Cell<usize>,
 }
 
 impl<'a> Around<'a> {
@@ -167,14 +201,15 @@ impl<'a> Around<'a> {
         for (i, line) in drawing.lines.iter().enumerate().filter(|(_, line)| is_plain(line)) {
             for (end, &p) in line.ends.iter().enumerate() {
                 ends.entry(key(p)).or_default().push((i, end));
-                if length(line) > SMALL * size {
+                // One of those that end next to each other is enough.
+                if length(line) > SMALL * size && places.near(p, NEXT * NEAR * size).is_none() {
                     places.add(p);
                     lines.push((i, end));
                 }
             }
         }
-        let dots = Places::of(&drawing.dots.iter().map(|dot| dot.at).collect::<Vec<_>>(), NEAR * size);
-        Self { drawing, size, ends, places, lines, dots }
+        let dots = Places::thinned(drawing.dots.iter().map(|dot| dot.at), NEAR * size);
+        Self { drawing, size, ends, places, lines, dots, looked: Cell::new(0) }
     }
 
     /// Areas that may be heads.
@@ -218,21 +253,29 @@ impl<'a> Around<'a> {
             return None;
         }
         let shaft = [tip, base, notch].into_iter().find_map(|p| self.shaft(p, tip, base))?;
-        Some(self.head(shaft, [base, tip], half / sine, own.to_vec()))
+        Some(self.head(shaft, ([base, tip], sides), half / sine, own.to_vec()))
     }
 
     /// The head from base to tip of these lines, whose ink reaches farther by so much.
-    fn head(&self, shaft: (usize, usize), [base, tip]: [Point; 2], more: f64, lines: Vec<usize>) -> Head {
+    fn head(
+        &self,
+        shaft: (usize, usize),
+        ([base, tip], sides): ([Point; 2], [Point; 2]),
+        more: f64,
+        lines: Vec<usize>,
+    ) -> Head {
         let was = self.drawing.lines[shaft.0].ends[shaft.1];
         let is_at_tip = distance(was, tip) <= NEAR * self.size;
-        Head { shaft, was, is_at_tip, tip: ahead(base, tip, more), lines, shape: None }
+        Head { shaft, was, is_at_tip, corner: tip, sides, tip: ahead(base, tip, more), lines, shape: None }
     }
 
-    /// The long line that ends at a place of a head from base to tip, and which end of it that is.
+    /// The long line that ends at a place of a head from base to tip, and which end of it that is. None any more once very
+    /// many have been looked at.
     fn shaft(&self, place: Point, tip: Point, base: Point) -> Option<(usize, usize)> {
         let short = || self.ends.get(&key(place)).into_iter().flatten().copied();
         let near = || self.places.near(place, NEAR * self.size).map(|i| self.lines[i as usize]);
         let fits = |&(i, end): &(usize, usize)| {
+            self.looked.set(self.looked.get() + 1);
             let line = &self.drawing.lines[i];
             let (own, other) = (line.ends[end], line.ends[1 - end]);
             let (long, head) = (distance(own, other), distance(tip, base));
@@ -241,13 +284,18 @@ impl<'a> Around<'a> {
             let is_along = aside(base, [other, tip]) <= FIT * head && aside(own, [other, tip]) <= NEAR * self.size;
             is_long && is_ahead && is_along
         };
-        short().find(fits).or_else(|| near().filter(fits))
+        let is_tired = |_: &(usize, usize)| self.looked.get() > WORK;
+        short().find(|end| is_tired(end) || fits(end)).or_else(|| near().filter(fits)).filter(|end| !is_tired(end))
     }
 
     /// Whether nothing but lines of the head itself ends at its outer corners.
     fn is_free(&self, sides: [Point; 2], own: &[usize]) -> bool {
         let is_own = |p: &Point| self.ends.get(&key(*p)).is_none_or(|all| all.iter().all(|(i, _)| own.contains(i)));
-        sides.iter().all(|p| is_own(p) && self.dots.near(*p, NEAR * self.size).is_none())
+        let is_far = |p: &Point| {
+            let line = self.places.near(*p, NEAR * self.size).map(|i| self.lines[i as usize].0);
+            line.is_none_or(|line| own.contains(&line)) && self.dots.near(*p, NEAR * self.size).is_none()
+        };
+        sides.iter().all(|p| is_own(p) && is_far(p))
     }
 
     /// Pairs of strokes that may be heads.
@@ -270,7 +318,7 @@ impl<'a> Around<'a> {
             let own = vec![a, b];
             let base = middle(sides);
             let shaft = self.shaft(tip, tip, base).filter(|(i, _)| !own.contains(i) && self.is_free(sides, &own))?;
-            Some(self.head(shaft, [base, tip], self.drawing.lines[a].half / sine, own))
+            Some(self.head(shaft, ([base, tip], sides), self.drawing.lines[a].half / sine, own))
         };
         pairs.filter_map(head).collect()
     }

@@ -114,7 +114,7 @@ pub(in crate::compare) struct Line {
     pub(in crate::compare) shape: u32,
     /// Whether that element has curves, too.
     pub(in crate::compare) curved: bool,
-    /// The coats of its dashes, from the first to before the last, if they draw hardly anything of it.
+    /// The coats of its dashes, from the first to before the last, if they leave it out in part, or nearly whole.
     pub(in crate::compare) dashes: [u32; 2],
 }
 
@@ -227,6 +227,7 @@ impl Drawing {
             clips: BTreeMap::new(),
             work: 0,
             points: 0,
+            dashes: 0,
             markers: 0,
             legends: 0,
             shapes: Vec::new(),
@@ -352,6 +353,7 @@ pub(in crate::compare) struct Reader<'a, 'i> {
     clips: BTreeMap<(usize, Option<u32>, [u64; 6]), u32>,
     work: usize,
     points: usize,
+    dashes: usize,
     markers: usize,
     legends: u32,
     /// The coats of each shape that was read.

@@ -6,7 +6,7 @@
 //!   └───┘        └───┘
 //! ```
 
-use super::heads::{Heads, stroke, strokes};
+use super::heads::{Heads, Inked};
 use super::{Drawing, Line};
 use crate::compare::ends::Loose;
 use crate::compare::painting::Shape;
@@ -103,8 +103,8 @@ pub(super) fn aimed(
     lines.iter().for_each(|(_, line)| loose.add(line.ends));
     let cell = boxes.values().map(Frame::reach).fold(NEAR * size, f64::max);
     let place = |p: Point| ((p.x / cell).floor() as i64, (p.y / cell).floor() as i64);
-    let mut cells: BTreeMap<(i64, i64), Vec<u32>> = BTreeMap::new();
-    boxes.iter().for_each(|(shape, frame)| cells.entry(place(frame.middle)).or_default().push(*shape));
+    let mut cells: BTreeMap<(i64, i64), Vec<(u32, Frame)>> = BTreeMap::new();
+    boxes.iter().for_each(|(shape, frame)| cells.entry(place(frame.middle)).or_default().push((*shape, *frame)));
     let (mut found, mut all, mut looked) = (0, 0, 0);
     for (number, line) in lines {
         for end in 0..2 {
@@ -117,19 +117,19 @@ pub(super) fn aimed(
             let (x, y) = place(own);
             let near = (x - 2..=x + 2).flat_map(|x| (y - 2..=y + 2).map(move |y| (x, y)));
             let near = near.flat_map(|at| cells.get(&at).map_or(&[][..], Vec::as_slice));
-            let mut at = None;
-            for shape in near {
+            let (mut at, mut count) = (None, 0);
+            for (shape, frame) in near {
                 looked += 1;
                 if looked > WORK {
-                    return out;
+                    return Aimed { ends: BTreeMap::new(), are_most: false };
                 }
-                let frame = &boxes[shape];
                 let reach = frame.rim + line.half + NEAR * size;
                 if frame.beyond(tip) <= reach && frame.beyond(other) > reach && points_at([other, own], frame, size) {
-                    at = Some(*shape);
+                    (at, count) = (Some(*shape), count + usize::from(at != Some(*shape)));
                 }
             }
-            if let Some(shape) = at {
+            // At the rims of two boxes it ends at neither.
+            if let Some(shape) = at.filter(|_| count == 1) {
                 found += 1;
                 out.ends.entry(shape).or_default().push((number, end));
             }
@@ -148,16 +148,15 @@ fn points_at([from, to]: [Point; 2], frame: &Frame, size: f64) -> bool {
 }
 
 /// Lets lines end in the middles of boxes, and their ink at the circles that stand for these.
-pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)]) {
-    let strokes = if ends.is_empty() { BTreeMap::new() } else { strokes(drawing) };
-    let before: Vec<[Point; 2]> = ends.iter().map(|((number, _), _)| drawing.lines[*number].ends).collect();
-    for (((number, end), frame), before) in ends.iter().zip(before) {
+pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inked: &Inked) {
+    for ((number, end), frame) in ends {
         drawing.lines[*number].ends[*end] = frame.middle;
+        let before = inked.ends(*number);
         let other = before[1 - end];
         let part = frame.radius() / distance(other, frame.middle);
         let towards = |p: f64, q: f64| q + part * (p - q);
         let rim = Point::new(towards(other.x, frame.middle.x), towards(other.y, frame.middle.y));
-        let coat = strokes.get(&stroke(before)).map(|&coat| &mut drawing.painting.coats[coat as usize].shape);
+        let coat = inked.coat(*number).map(|coat| &mut drawing.painting.coats[coat as usize].shape);
         if let Some(Shape::Stroke(ends, _)) = coat
             && distance(other, rim) > distance(other, before[*end])
         {

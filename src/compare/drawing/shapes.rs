@@ -245,16 +245,16 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
     }
 
-    /// Paints the dashes of a line that draw hardly anything of it, as far as a screen shows them. It begins so far from the
+    /// Paints the dashes of a line that they leave out in part, or nearly whole, as far as a screen shows them. It begins so far from the
     /// start of its path and is so long, before any transform.
     fn dashes(&mut self, [p, q]: [Point; 2], (far, long): (f64, f64), half: f64, around: &Around) -> [u32; 2] {
         let least = THIN * long / (distance(p, q) * self.unit);
         let start = self.out.painting.coats.len() as u32;
         for dash in around.ink.dashes(far, long, least) {
-            if self.points >= LINES {
+            if self.dashes >= LINES {
                 break;
             }
-            self.points += 1;
+            self.dashes += 1;
             let ends = dash.map(|at| Point::new(p.x + at / long * (q.x - p.x), p.y + at / long * (q.y - p.y)));
             self.out.painting.add(Shape::Stroke(ends, half), around.ink.stroke(), around.clip, Part::Line);
         }

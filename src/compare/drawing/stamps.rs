@@ -11,7 +11,7 @@
 //! Each becomes a dot where it stands, as large as a circle in it, or of its area if it is no square. Only stamps of the
 //! size of most others at ends of lines count, those elsewhere that look like them, and none where a circle is drawn.
 
-use super::heads::Heads;
+use super::heads::{Heads, Inked};
 use super::rims::{self, Frame};
 use super::{Dot, Drawing, Line};
 use crate::compare::eye::{FAINT, contrast};
@@ -66,9 +66,7 @@ impl Stamp {
     fn one(shape: u32, (at, radius): (Point, f64), is_hollow: bool, is_square: bool) -> Self {
         Self { shape, frame: None, is_square, middles: [at; 2], radii: [radius; 2], is_hollow, corners: Vec::new() }
     }
-}
 
-impl Stamp {
     /// Whether it is no larger than this.
     fn is_small(&self, largest: f64) -> bool {
         self.radii.iter().all(|radius| *radius <= 0.5 * largest)
@@ -88,32 +86,23 @@ struct Placed {
 /// Turns the stamps at the ends of lines into dots, and takes off heads of arrows. `coats` says what each shape painted.
 /// O(n log n).
 pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
-    let heads = Heads::of(drawing);
-    let stamps = dots(drawing, coats, &heads);
-    let mut gone = heads.take_off(drawing, coats, &stamps).into_iter();
+    let (heads, inked) = (Heads::of(drawing), Inked::of(drawing));
+    let stamps = dots(drawing, coats, &heads, &inked);
+    let mut gone = heads.take_off(drawing, coats, &stamps, &inked).into_iter();
     let stays = |shape: u32| stamps.binary_search(&shape).is_err();
     drawing.lines.retain(|line| gone.next() != Some(true) && stays(line.shape));
     drawing.outlines.retain(|outline| stays(outline.shape));
 }
 
 /// Turns the stamps at the ends of lines into dots, and returns their shapes, sorted.
-fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads) -> Vec<u32> {
+fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads, inked: &Inked) -> Vec<u32> {
     let size = span(&drawing.points().collect::<Vec<Point>>());
     let found = stamps(drawing, size);
     if found.is_empty() {
         return Vec::new();
     }
     let reach = NEAR * size;
-    let places = |points: Vec<Point>| Places::of(&points, reach);
-    let ends = |is_stamp: fn(&Stamp) -> bool| {
-        let shapes: Vec<u32> = found.iter().filter(|stamp| is_stamp(stamp)).map(|stamp| stamp.shape).collect();
-        let is_other = |(i, line): &(usize, &Line)| shapes.binary_search(&line.shape).is_err() && !heads.has(*i);
-        let others = drawing.lines.iter().enumerate().filter(is_other);
-        places(others.flat_map(|(_, line)| line.ends).collect())
-    };
-    // Small faces may look like figures, and their corners are ends as well.
-    let (ends, firm) = (ends(|stamp| stamp.corners.is_empty()), ends(|_| true));
-    let dots = places(drawing.dots.iter().map(|dot| dot.at).collect());
+    let dots = Places::thinned(drawing.dots.iter().map(|dot| dot.at), reach);
     let boxes: BTreeMap<u32, Frame> = found.iter().filter_map(|stamp| Some((stamp.shape, stamp.frame?))).collect();
     let aimed = rims::aimed(drawing, &boxes, heads, size, |p| dots.near(p, reach).is_some());
     // A line that ends at a corner may be an edge of a face there.
@@ -125,6 +114,17 @@ fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads) -> Vec<u32> 
         let is_clear = frame.corners().iter().chain([&frame.middle]).all(|&p| dots.near(p, reach).is_none());
         aimed.are_most && is_clear && ends.iter().any(|&end| is_held(&frame, end))
     };
+    // A box too large for a stamp, at which no line ends, is a face: its corners are ends.
+    let may_stand = |stamp: &Stamp| stamp.is_small(SMALL * size) || is_box(stamp);
+    let ends = |is_stamp: &dyn Fn(&Stamp) -> bool| {
+        let shapes = found.iter().filter(|stamp| may_stand(stamp) && is_stamp(stamp)).map(|stamp| stamp.shape);
+        let shapes: Vec<u32> = shapes.collect();
+        let is_other = |(i, line): &(usize, &Line)| shapes.binary_search(&line.shape).is_err() && !heads.has(*i);
+        let others = drawing.lines.iter().enumerate().filter(is_other);
+        Places::thinned(others.flat_map(|(_, line)| line.ends), reach)
+    };
+    // Small faces may look like figures, and their corners are ends as well.
+    let (ends, firm) = (ends(&|stamp| stamp.corners.is_empty()), ends(&|_| true));
     let place = |stamp: &Stamp| {
         let Stamp { shape, is_hollow, .. } = *stamp;
         let is_vertex = |p: Point| ends.near(p, reach).is_some() && dots.near(p, reach).is_none();
@@ -149,7 +149,7 @@ fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads) -> Vec<u32> 
         let frame = boxes.get(shape)?;
         Some(aimed.ends.get(shape)?.iter().map(|&end| (end, *frame)))
     };
-    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>());
+    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>(), inked);
     for stamp in vertices {
         repaint(drawing, &stamp, coats[stamp.shape as usize].clone());
         drawing.dots.push(Dot {

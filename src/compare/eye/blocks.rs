@@ -38,7 +38,12 @@ impl Eye<'_> {
     fn is_blocked_at(&mut self, way: &Way, far: f64, blocks: &[u32]) -> bool {
         self.work += 1;
         self.look(way.at(far));
-        let Some(&block) = self.stack.iter().rev().find(|i| blocks.binary_search(i).is_ok()) else { return false };
+        let here: Vec<u32> = self.stack.iter().rev().copied().filter(|i| blocks.binary_search(i).is_ok()).collect();
+        here.into_iter().take(SIDES).any(|block| self.hides(block, way, far))
+    }
+
+    /// Whether a block hides an edge so far from its start.
+    fn hides(&mut self, block: u32, way: &Way, far: f64) -> bool {
         let painting = self.painting;
         let coat = &painting.coats[block as usize];
         if [0.0, way.length].iter().any(|&end| coat.covers(way.at(end)).0) {

@@ -73,7 +73,7 @@ pub fn dual(s: &Subdivision, options: &FigureOptions) -> Result<Figure, DualFigu
         let (mut way, other) = (rooms.way(h), rooms.way(t));
         way.push(rooms.middle(h));
         way.extend(other.into_iter().rev());
-        bends += way.len();
+        bends += way.len().saturating_sub(3);
         if bends > MOST_BENDS {
             return Err(DualFigureError::TooWinding);
         }

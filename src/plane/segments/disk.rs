@@ -36,7 +36,7 @@ impl Subdivision {
             one_rings.link_all(v, ring.iter().copied());
         }
         let mut columns = one_rings.into_columns();
-        // Euler's formula: a connected graph has so many faces.
+        // Euler's formula: a connected graph has so many bounded faces.
         columns.boundary.reserve(1 + edges.len() - edges.len().min(points.len()));
         let first = give_face(&mut columns, outside, 0);
         for start in 0..columns.face.len() as u32 {

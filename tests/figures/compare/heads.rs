@@ -25,7 +25,8 @@ impl Style {
         // The ink of a stroked tip reaches beyond it.
         let ink = 0.5 * half.hypot(length) / half;
         let (first, last) = (self.room, long - self.room - ink);
-        let ends = if self.at_base { [first, last - length] } else { [first, last] };
+        let start = if self.both { first + length } else { first };
+        let ends = if self.at_base { [start, last - length] } else { [first, last] };
         let mut out = line(ends.map(|t| at(t, 0.0)), STROKE);
         let mut head = |tip: f64, back: f64| {
             let [left, right] = [half, -half].map(|aside| at(tip - back * length, aside));
@@ -55,6 +56,8 @@ fn styles() -> Vec<Style> {
         }
     }
     out.push(Style { room: 5.0, filled: true, at_base: true, ..PLAIN });
+    // Both heads are a good part of the shortest edge.
+    out.push(Style { room: 4.0, size: [16.0, 5.0], filled: true, at_base: true, both: true });
     out
 }
 
@@ -106,4 +109,30 @@ fn lines_that_only_look_like_a_head_are_told() {
         assert!(!judge(&with(""), &with(&strokes)).is_equal(), "{strokes}");
     }
     same(&with(&edges));
+}
+
+/// Two short edges that fold back along a third one are no head, whether they end at circles, at their rims or at squares.
+#[test]
+fn edges_that_fold_back_like_a_head_are_edges() {
+    let corners: [P; 6] = [[0.0, 300.0], [500.0, 300.0], [475.0, 312.0], [475.0, 288.0], [600.0, 0.0], [0.0, 0.0]];
+    let edges = [[0, 1], [1, 2], [1, 3], [1, 4], [4, 5], [5, 0]];
+    let svg = |vertex: &dyn Fn(P) -> String, short: f64| {
+        let lines = edges.map(|ends| {
+            let [[a, b], [c, d]] = ends.map(|v| corners[v]);
+            let part = short / f64::hypot(c - a, d - b);
+            line([[a, b], [c - part * (c - a), d - part * (d - b)]], STROKE)
+        });
+        let vertices = corners.map(vertex);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 620 330\">{}{}</svg>",
+            lines.concat(),
+            vertices.concat()
+        )
+    };
+    let disc = |p: P| circle(p, 3.0);
+    let reference = svg(&disc, 0.0);
+    for drawing in [svg(&disc, 3.0), svg(&|p| square(p, 6.0, ""), 0.0)] {
+        let answer = judge(&reference, &drawing);
+        assert!(answer.is_equal(), "{}\n{drawing}", answer.text());
+    }
 }

@@ -109,3 +109,21 @@ fn a_square_face_is_no_vertex() {
     let answer = judge(&whole, &page(&format!("{sides}{spokes}")));
     assert!(answer.is_equal(), "{}", answer.text());
 }
+
+/// Boxes that are faces, too large for vertices: small squares at their corners are these.
+#[test]
+fn boxes_at_which_no_line_ends_are_faces() {
+    let grid = |vertex: &dyn Fn(P) -> String| {
+        let places = |count: u32| (0..count).flat_map(move |x| (0..count).map(move |y| [x, y].map(f64::from)));
+        let faces =
+            places(10).map(|[x, y]| square([60.0 * x + 30.0, 60.0 * y + 30.0], 60.0, "fill=\"#eee\" stroke=\"black\""));
+        let faces: String = faces.collect();
+        let vertices: String = places(11).map(|[x, y]| vertex([60.0 * x, 60.0 * y])).collect();
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 620 620\">{faces}{vertices}</svg>")
+    };
+    let reference = grid(&|[x, y]| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"3\"/>"));
+    let answer = judge(&reference, &grid(&|p| square(p, 6.0, "")));
+    assert!(answer.is_equal(), "{}", answer.text());
+    let some = grid(&|p| if p == [300.0, 300.0] { String::new() } else { square(p, 6.0, "") });
+    assert!(!judge(&reference, &some).is_equal());
+}

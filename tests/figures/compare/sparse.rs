@@ -42,3 +42,21 @@ fn an_edge_of_which_one_dash_is_drawn_is_hidden() {
     }
     assert_eq!(EDGES[0], [0, 1]);
 }
+
+/// A sparse line that begins along an edge is told where it goes on.
+#[test]
+fn a_sparse_line_beyond_an_edge_is_told() {
+    let end = [550.0, 350.0];
+    let middle = [300.0, 350.0];
+    let more = |last: &str| {
+        let first = |i: usize, ends: [P; 2]| if i == 0 { edge(i, [ends[0], middle]) } else { edge(i, ends) };
+        drawn(first, vertex, &format!("{}{last}", vertex(middle)))
+    };
+    let reference = more("");
+    let answer = judge(&reference, &more(&dashed([[50.0, 350.0], end], "3 40")));
+    let said = "edge between (550, 350) and (300, 350) is not in the reference";
+    assert!(answer.text().contains(said), "{}", answer.text());
+    // A copy that nobody sees hides none that is seen.
+    let twice = format!("{}{}", dashed([middle, end], "3 40"), dashed([middle, end], "0 1000"));
+    assert!(judge(&reference, &more(&twice)).text().contains(said));
+}
