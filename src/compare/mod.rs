@@ -44,6 +44,7 @@
 //!   served.rs      What url(#...) paints
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   sparse.rs      Lines that dashes leave out in part, or nearly whole
 //!   spelling.rs    What a text says that stands at an element
 //!   spots.rs       Where elements lie
 //!   standing.rs    Where names stand
