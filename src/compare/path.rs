@@ -300,7 +300,7 @@ mod tests {
             "Q7 7 6 6",
             "Q3 4 6 6",
             "A5 5 0 0 1 6 6",
-            "A400 400 0 0 1 6 6",
+            "A100 100 0 0 1 6 6",
             "C1 1 2 2 0 0",
         ] {
             assert!(read(&format!("M0 0{curve}")).unwrap()[0].points[1].1, "{curve}");
