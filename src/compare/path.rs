@@ -286,7 +286,8 @@ mod tests {
             "A0 5 0 0 1 6 6",
             "a3 0 9 1 0 6 6",
             "A1e9 1e9 0 0 1 6 6",
-            "A9e99 9e9 0 0 0 6 6",
+            "A9e99 9e99 0 0 0 6 6",
+            "A1e300 1e300 0 0 0 6 6",
         ] {
             assert_eq!(
                 read(&format!("M0 0{line}")).unwrap()[0].points,
@@ -300,7 +301,7 @@ mod tests {
             "Q7 7 6 6",
             "Q3 4 6 6",
             "A5 5 0 0 1 6 6",
-            "A100 100 0 0 1 6 6",
+            "A400 400 0 0 1 6 6",
             "C1 1 2 2 0 0",
         ] {
             assert!(read(&format!("M0 0{curve}")).unwrap()[0].points[1].1, "{curve}");
