@@ -83,8 +83,16 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
-/// An enumeration whose values have a name each: the type, the name of each, how a value is shown, if that is its name, and
-/// all values in their order, if somebody needs them.
+/// An enumeration whose values have a name each.
+///
+/// ```text
+///   named! {
+///       enum Kind { Vertex = "a vertex", … }     the type
+///       fn a;                                    Kind::Vertex.a() is "a vertex"
+///       fn a as Display;                         the same, and it is shown so
+///       const ALL;                               Kind::ALL, all values in their order
+///   }
+/// ```
 #[doc(hidden)]
 #[macro_export]
 macro_rules! named {

@@ -25,8 +25,8 @@ use std::path::{Path, PathBuf};
 ///
 /// What crosses is decided exactly; crossings become vertices at the nearest doubles, and a note says
 /// which of them moved. Lines too close to settle so are rounded to a grid, and a note says what
-/// moved: no input is refused for being close. Areas are those of the answer, with its rounded
-/// corners: exact, rounded once.
+/// moved: no input is refused for being close. The area of a region is that of the given shapes, with
+/// crossings that are not rounded; with --grid that of the answer.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -153,7 +153,11 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             // Those of the region: neither the outer face nor hole faces.
             faces: region.face_count() - 1 - region.hole_faces().count(),
             hole_faces: region.hole_faces().count(),
-            area: region.domain_area(),
+            // Before its corners were rounded, if nobody asked for a grid.
+            area: match args.grid {
+                None => both.area([source_a, source_b], *operation),
+                Some(_) => region.domain_area(),
+            },
         }),
     };
     tell(&answer, args.json, out, |out| {

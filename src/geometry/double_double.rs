@@ -94,6 +94,11 @@ impl DoubleDouble {
         Some(Self { high, low, error })
     }
 
+    /// The number as one double.
+    pub(crate) const fn estimate(self) -> f64 {
+        self.high
+    }
+
     /// The nearest double, and how far the number is from it: more, by at most ten digits; `None` if the next double may
     /// be nearer, or if so many digits are not known.
     pub(crate) fn nearest(self) -> Option<(f64, f64)> {

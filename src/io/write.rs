@@ -21,6 +21,11 @@ use std::path::Path;
 /// # Errors
 /// [`WriteError`] if the format cannot hold the structure; then nothing has been written.
 pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
+    write_to(out, model, format)
+}
+
+/// [`write()`], compiled once for all that can be written to.
+fn write_to(out: &mut dyn Write, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
     let mut out = BufWriter::new(Lines { out, stage: Stage::new("writing", lines_of(model, format)) });
     match format {
         Format::Obj => obj(&mut out, &Polygons::of(model, format)?)?,
@@ -57,12 +62,12 @@ fn lines_of(model: &Model<'_>, format: Format) -> usize {
 }
 
 /// Counts the lines that are written.
-struct Lines<'a, W> {
-    out: &'a mut W,
+struct Lines<'a> {
+    out: &'a mut dyn Write,
     stage: Stage,
 }
 
-impl<W: Write> Write for Lines<'_, W> {
+impl Write for Lines<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.out.write(bytes)?;
         self.stage.add(bytes[..written].iter().filter(|&&b| b == b'\n').count());

@@ -61,13 +61,16 @@ impl FeatureSet {
     }
 
     /// Adds each feature of the vocabulary whose number is passed: `face_8_more` of the ids `face_N_more` if there are
-    /// more than 8. Where nothing else needs them, their names begin with `_`.
+    /// more than 8. A value of the enumeration that nothing else names begins with `_`.
     pub fn more(&mut self, vocabulary: &[Feature], ids: &str, count: usize) {
         let (before, after) = ids.split_once('N').unwrap_or((ids, ""));
+        let mut known = 0;
         for (bit, feature) in (0..).zip(vocabulary) {
             let than = feature.id.strip_prefix(before).and_then(|rest| rest.strip_suffix(after)?.parse::<usize>().ok());
+            known += usize::from(than.is_some());
             self.add(bit, than.is_some_and(|than| count > than));
         }
+        debug_assert!(known > 0, "no feature has an id such as {ids}");
     }
 
     /// The set, bit i for feature i of the vocabulary.

@@ -85,6 +85,25 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
     );
 }
 
+/// The crossing lies at (x + 1/3, y + 2/3): no doubles.
+#[test]
+fn the_area_of_a_region_is_not_that_of_rounded_corners() {
+    let folder = Folder::new();
+    let (x, y) = (4_000_000, 5_500_000);
+    let triangle = |corners: [(f64, f64); 3]| {
+        let lines = corners.map(|(dx, dy)| format!("v {} {} 0\n", f64::from(x) + dx, f64::from(y) + dy));
+        format!("{}f 1 2 3\n", lines.concat())
+    };
+    folder.write("a.obj", &triangle([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]));
+    folder.write("b.obj", &triangle([(0.0, 0.0), (0.5, 0.0), (0.5, 1.0)]));
+    let call = "overlay a.obj b.obj --operation intersection --join";
+    let area = |flags: &str| folder.dcel(&format!("{call} {flags} --json")).json()["region"]["area"].as_f64().unwrap();
+    let off = |area: f64| (area - 5.0 / 24.0).abs();
+    assert!(off(area("")) < 1e-16, "{}", area(""));
+    // The answer on a grid is what somebody asked for.
+    assert!((1e-12..1e-3).contains(&off(area("--grid 1e-6"))), "{}", area("--grid 1e-6"));
+}
+
 /// What lies on the grid has not moved, and what has is counted.
 #[test]
 fn crossings_on_the_grid_are_not_said_to_move() {

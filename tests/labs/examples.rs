@@ -3,6 +3,7 @@
 
 use crate::shell::Folder;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 /// The commands below `Examples:`, one a line.
@@ -10,6 +11,16 @@ fn examples(folder: &Folder, command: &str) -> Vec<String> {
     let help = folder.dcel(&format!("{command} --help")).fine();
     let (_, text) = help.split_once("\nExamples:\n").unwrap_or_else(|| panic!("{command}: no example"));
     text.lines().map(|line| line.trim().to_owned()).filter(|line| !line.is_empty()).collect()
+}
+
+/// The commands below one.
+#[cfg(unix)]
+fn commands(folder: &Folder, above: &str) -> Vec<String> {
+    let help = folder.dcel(&format!("{above} --help")).fine();
+    let (_, list) = help.split_once("\nCommands:\n").unwrap_or_else(|| panic!("{above}: nothing below it"));
+    let lines = list.lines().take_while(|line| line.starts_with("  ")).filter(|line| !line.starts_with("   "));
+    let names = lines.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help");
+    names.map(|name| format!("{above} {name}")).collect()
 }
 
 #[test]
@@ -43,9 +54,11 @@ fn the_examples_of_lab_and_grade_run() {
     folder.write("course.toml", "title = \"Geometry\"\n\n[[lab]]\nname = \"04\"\n");
     folder.dcel("grade 04 submissions/ada.rs --report json=class.json").fine();
     let mut count = 0;
-    let commands = ["list", "start", "check", "watch", "hint", "reset", "verify", "export"];
-    let commands = commands.map(|name| format!("lab {name}"));
-    for command in commands.iter().map(String::as_str).chain(["lab", "grade", "gradebook"]) {
+    // A checkout beside the folder of who makes a lab.
+    let kit = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the tests lie in the checkout");
+    std::os::unix::fs::symlink(kit, folder.path("dcel-kit")).unwrap();
+    fs::create_dir(folder.path("mine")).unwrap();
+    for command in commands(&folder, "lab").iter().map(String::as_str).chain(["lab", "grade", "gradebook"]) {
         for example in examples(&folder, command) {
             // These take minutes, the network, or never end: that they are understood must do.
             let long = ["lab watch", "lab verify", "--vendor"].iter().any(|part| example.contains(part));
@@ -54,12 +67,18 @@ fn the_examples_of_lab_and_grade_run() {
                 let _ = fs::remove_dir_all(folder.path("my-lab"));
             }
             // Without the name of a folder it is the one that one is in.
-            let inside = ["check", "hint", "reset"].iter().any(|name| example.starts_with(&format!("dcel lab {name}")));
-            let place = if inside && !example.contains("my-lab") { "my-lab" } else { "." };
+            let inside =
+                ["check", "hint", "idea", "reset"].iter().any(|name| example.starts_with(&format!("dcel lab {name}")));
+            let place = match () {
+                () if inside && !example.contains("my-lab") => "my-lab",
+                () if example.starts_with("dcel lab new") => "mine",
+                () => ".",
+            };
             let line = if long { format!("{example} --help") } else { example.clone() };
             let output = in_shell(&line, place);
             // Of a lab that nobody has begun nothing passes yet.
-            let expected = i32::from(!long && example.starts_with("dcel lab check"));
+            let asks = ["check", "idea"].iter().any(|name| example.starts_with(&format!("dcel lab {name}")));
+            let expected = i32::from(!long && asks);
             let error = String::from_utf8_lossy(&output.stderr);
             assert_eq!(output.status.code(), Some(expected), "{example}: {error}");
             if example.contains("--json") {
@@ -71,5 +90,8 @@ fn the_examples_of_lab_and_grade_run() {
             count += 1;
         }
     }
-    assert!(count >= 25, "only {count} examples were found");
+    for made in ["mine/12-mine/lab.toml", "mine/labs/12-mine/lab.toml"] {
+        assert!(folder.path(made).is_file(), "{made}");
+    }
+    assert!(count >= 29, "only {count} examples were found");
 }

@@ -19,3 +19,4 @@ mod shared_mend;
 mod shared_plane;
 mod shared_segments;
 mod tracer;
+mod true_areas;

@@ -187,6 +187,32 @@ pub(in crate::plane) fn placed(ends: [[Point; 2]; 2]) -> (Point, f64, [f64; 2]) 
     (Point::new(px, py), off_x.hypot(off_y) * (1.0 + 8.0 * f64::EPSILON), right)
 }
 
+/// How far off a point two lines cross, each given by two points; `None` if they do not. Good to ten digits of each number.
+pub(in crate::plane) fn crossing_from(p: Point, ends: [[Point; 2]; 2]) -> Option<[f64; 2]> {
+    let quick = quotients(ends);
+    let crossing = OnceCell::new();
+    let from = |i: usize, start: f64| {
+        let known =
+            quick[i].map(|quotient| quotient.above(start)).filter(|[least, most]| most - least <= 1e-10 * least.abs());
+        known.map(|[least, most]| 0.5 * (least + most)).or_else(|| {
+            let Exact { x, y, w } = crossing.get_or_init(|| Crossing::new([0, 1], ends)).exact();
+            let rest = [x, y][i].clone().minus(&Expansion::of(start).times(w)).estimate();
+            w.sign().is_ne().then(|| rest / w.estimate())
+        })
+    };
+    Some([from(0, p.x)?, from(1, p.y)?])
+}
+
+/// How far off a point the point of a line next to it is.
+pub(in crate::plane) fn foot_from(p: Point, [a, b]: [Point; 2]) -> [f64; 2] {
+    let [along, to] =
+        [(a, b), (p, a)].map(|(p, q)| [(p.x, q.x), (p.y, q.y)].map(|(p, q)| DoubleDouble::difference(q, p)));
+    let across = along[0].times(to[1]).minus(along[1].times(to[0])).estimate();
+    let [x, y] = [b.x - a.x, b.y - a.y];
+    let share = across / x.hypot(y);
+    [-y, x].map(|side| share * (side / x.hypot(y)))
+}
+
 /// Both coordinates of a crossing as well as two doubles for each number tell them.
 fn quotients(ends: [[Point; 2]; 2]) -> [Option<DoubleDouble>; 2] {
     let a = ends[0][0];

@@ -33,7 +33,7 @@ use crate::progress::Stage;
 use crate::topology::{NoObserver, Observer};
 pub(super) use cells::{Meetings, NoMeetings, meetings};
 use crossing::Crossing;
-pub(super) use crossing::{is_moved, placed};
+pub(super) use crossing::{crossing_from, foot_from, is_moved, placed};
 pub(super) use grid::Grid;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;

@@ -18,9 +18,12 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
 //!
 //! ```text
+//!   area.rs    The area of a region before rounding
+//!   labels.rs  Which faces of a and b a face is part of
 //!   region.rs  Regions of an overlay
 //! ```
 
+mod area;
 mod labels;
 mod region;
 

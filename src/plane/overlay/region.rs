@@ -81,9 +81,14 @@ impl Overlay {
     #[track_caller]
     pub fn is_in(&self, f: FaceId) -> [bool; 2] {
         must_be_below(f, f.index(), self.face_of_a.len());
+        self.regions_at([self.face_of_a[f], self.face_of_b[f]])
+    }
+
+    /// Whether a face of a lies in the region of a, and a face of b in that of b.
+    pub(super) fn regions_at(&self, [of_a, of_b]: [FaceId; 2]) -> [bool; 2] {
         let outer = self.subdivision.outer_face();
         let within = |label: FaceId, holes: &[FaceId]| label != outer && holes.binary_search(&label).is_err();
-        [within(self.face_of_a[f], &self.holes[0]), within(self.face_of_b[f], &self.holes[1])]
+        [within(of_a, &self.holes[0]), within(of_b, &self.holes[1])]
     }
 
     /// The union, intersection, difference or symmetric difference of the regions of a and b.

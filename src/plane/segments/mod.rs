@@ -60,6 +60,34 @@ use crate::ids::{EdgeId, HalfEdgeId, VertexId, must_be_below};
 use arrange::{Chains, Input, arrange};
 
 /// What to do with segments that are no plane graph.
+///
+/// # Why splitting always ends
+/// Crossings that are rounded one by one can make edges cross that did not. They are looked at again, at most four times.
+/// What has not settled then goes to a grid, by snap rounding, and that needs one pass:
+///
+/// ```text
+///   ┆ ●╲┆   ┆ ╱●┆          ┆ ●╲┆   ┆ ╱●┆         Hot are the pixels with an end or a crossing of segments in them.
+///   ┄┄┄╲┄┄┄┄╱┄┄┄    ──>    ┄┄┄┄╲┄┄╱┄┄┄┄          Every segment becomes the chain of the middles of the hot pixels
+///   ┆   ┆╲╱ ┆   ┆          ┆   ┆ ●┆   ┆          that it passes, in its order.
+///   ┄┄┄┄┄╱╲┄┄┄┄┄           ┄┄┄┄╱┄┄╲┄┄┄┄
+/// ```
+///
+/// A segment passes each pixel of its chain at some point: the middle plus an offset, and offsets lie in one and the same
+/// convex set, a pixel round 0. Let all offsets shrink to nothing at the same speed.
+///
+/// 1. *No chain runs over a middle that is not its own.* Say that the piece of a chain from the middle c to the next
+///    one, d, has the middle m on it or comes over it while it shrinks: (1 - s)(c + t e) + s (d + t f) = m + t g with
+///    offsets e, f, g and 0 <= t < 1. Then the segment itself had the point (1 - s)(c + e) + s (d + f) =
+///    m + t g + (1 - t)((1 - s) e + s f), which is m plus an offset, since these are convex: it passes the pixel of m,
+///    so m stands in the chain.
+/// 2. *No two chains cross.* Outside of the hot pixels no two segments cross, since crossings make pixels hot. While
+///    the pieces between them shrink, two can begin to cross only where an end of one comes over the other; that is
+///    point 1. So in the end they share middles, or run along each other from middle to middle.
+///
+/// No chain is further from its segment than half the diagonal of a pixel.
+///
+/// Source: Hobby, *Practical segment intersection with finite precision output*, Computational Geometry 13, 1999; Guibas
+/// and Marimont, *Rounding arrangements dynamically*, 1998.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArrangeOptions {
     /// Leave out segments without length and segments that repeat an earlier one, and join points at the same place,

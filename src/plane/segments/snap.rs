@@ -7,17 +7,7 @@
 //!   ┄┄┄┄┄╱╲┄┄┄┄┄           ┄┄┄┄╱┄┄╲┄┄┄┄
 //! ```
 //!
-//! **Once is enough.** A segment passes each pixel of its chain at some point: the middle plus an offset, and offsets
-//! lie in one and the same convex set, a pixel round 0. Let all offsets shrink to nothing at the same speed.
-//!
-//! 1. *No chain runs over a middle that is not its own.* Say that the piece of a chain from the middle c to the next
-//!    one, d, has the middle m on it or comes over it while it shrinks: (1 - s)(c + t e) + s (d + t f) = m + t g with
-//!    offsets e, f, g and 0 <= t < 1. Then the segment itself had the point (1 - s)(c + e) + s (d + f) =
-//!    m + t g + (1 - t)((1 - s) e + s f), which is m plus an offset, since these are convex: it passes the pixel of m,
-//!    so m stands in the chain.
-//! 2. *No two chains cross.* Outside of the hot pixels no two segments cross, since crossings make pixels hot. While
-//!    the pieces between them shrink, two can begin to cross only where an end of one comes over the other; that is
-//!    point 1. So in the end they share middles, or run along each other from middle to middle.
+//! Why once is enough: see [`ArrangeOptions`](crate::plane::ArrangeOptions).
 //!
 //! Grid points and the sides of pixels are doubles (see [`Grid`]), and whether a segment passes a pixel, and in which one
 //! a crossing lies, is decided exactly. No chain is further from its segment than half the diagonal of a pixel.

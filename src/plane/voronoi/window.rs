@@ -81,22 +81,20 @@ impl Voronoi<'_> {
     /// passes by, or has no length in doubles. The ends are rounded; O(1).
     #[must_use]
     pub fn piece(&self, edge: &VoronoiEdge, window: &Window) -> Option<[Point; 2]> {
-        let line = || {
-            let [middle, along] = self.line(edge);
-            (middle, along, Point::new(-along.x, -along.y))
-        };
+        let line = || self.line(edge);
+        let back = |along: Point| Point::new(-along.x, -along.y);
         let corner = |end: Option<u32>| end.map(|corner| self.corners[corner as usize]);
         let [from, to] = edge.ends.map(corner);
         let inside = |p: Option<Point>| p.filter(|&p| window.contains(p));
         let piece = match (inside(from), inside(to)) {
             (Some(from), Some(to)) => [from, to],
-            (Some(from), None) => [from, window.exit(from, line().1).1],
-            (None, Some(to)) => [window.exit(to, line().2).1, to],
+            (Some(from), None) => [from, window.exit(from, line()[1]).1],
+            (None, Some(to)) => [window.exit(to, back(line()[1])).1, to],
             (None, None) => {
-                let (middle, along, back) = line();
+                let [middle, along] = line();
                 // The middle of two sites lies inside. The corners lie outside: either both on one side of the
                 // stretch inside, or one on each.
-                let ((ahead, end), (behind, start)) = (window.exit(middle, along), window.exit(middle, back));
+                let ((ahead, end), (behind, start)) = (window.exit(middle, along), window.exit(middle, back(along)));
                 let centre = 0.5 * (ahead - behind);
                 let square = along.x * along.x + along.y * along.y;
                 let position = |p: Point| ((p.x - middle.x) * along.x + (p.y - middle.y) * along.y) / square;

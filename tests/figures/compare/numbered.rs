@@ -29,7 +29,18 @@ fn half_edges_that_are_drawn_wrong_have_numbers() {
 }
 
 #[test]
-fn names_and_exchanged_vertices_have_numbers() {
+fn vertices_at_each_others_places_have_one_number() {
+    let svg = changed(|lines| {
+        let [a, b] = ["v1", "v2"].map(|name| within(lines, name, "<circle"));
+        lines.swap(a, b);
+    });
+    let answer = judge(&reference(), &svg);
+    assert!(answer.text().contains("2 vertices are drawn where others belong"), "{}", answer.text());
+    assert_eq!(badges(&answer), answer.differences().len(), "{}", answer.text());
+}
+
+#[test]
+fn names_have_numbers() {
     let reference = kit(&table(&ship()));
     // The names of a vertex, of a half-edge and of a face.
     let mut svg = reference.clone();
