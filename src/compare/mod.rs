@@ -119,15 +119,15 @@
 //! told if more than a tenth of it is seen between the circles at its ends, or one of its dashes if these draw hardly
 //! anything of it. A vertex is seen if its circle is, and
 //! reaches no other vertex; it hides no more than half of an edge; its radius is not less than 0.1 px, and it reaches
-//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. A
-//! thin line of decoration hides nothing of a half-edge if it is seen itself. So
-//! what is covered by an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by
-//! dashes, without a size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below
-//! large letters or markers or letters that have the colour of what lies round them is told, with the reason. So is a
-//! line of less than 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600
-//! px, or 1200 px if it has no size; one narrower than a px is as pale as a screen shows it. Of lines over each other
-//! it is enough that one shows: they may be cased or double. What the reference's own drawing hides nobody has to show.
-//! Colours themselves are not compared.
+//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. A thin
+//! line of decoration hides nothing of a half-edge that it crosses if it is seen itself; one that runs along it, in
+//! another colour, hides it if no rim of it shows. So what is covered by an area, a circle, a picture or a line, cut
+//! off by a clip path or the `viewBox`, left out by dashes, without a size, filled twice under `evenodd`, transparent,
+//! painted by a gradient that is not there, below large letters or markers or letters that have the colour of what lies
+//! round them is told, with the reason. So is a line of less than 0.1 px, of which a screen shows a tenth of the ink,
+//! on a drawing of its own size, but at least 600 px, or 1200 px if it has no size; one narrower than a px is as pale
+//! as a screen shows it. Of lines over each other it is enough that one shows: they may be cased or double. What the
+//! reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! With [`Options::names`], every name that the reference shows has to be drawn: by a number (`v0`, `v_0`, `v₀`), the name
 //! of a face, or both of them (`f1 Garden`); another text stands for none. It stands in the group of what it names or
