@@ -142,7 +142,9 @@
 //! and notes (by `class` or `id`), and not where it is a copy of the name below it.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
-//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]).
+//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]); a
+//! larger tolerance also lets lines end farther from rims and tips of arrows, and a smaller one lets them point less far
+//! aside of the middles of vertices.
 //! The outer face may be filled, or not, as long as it hides nothing. A root without width or height shows nothing.
 //!
 //! ```text
@@ -272,6 +274,11 @@ impl Options {
         Self { tolerance: if px > 0.0 && px <= 100.0 { px } else { self.tolerance }, ..self }
     }
 
+    /// The tolerance as a part of the drawing.
+    fn part(&self) -> f64 {
+        self.tolerance / drawn::CANVAS
+    }
+
     /// Whether filled polygons are compared. Default: yes, if the reference has any.
     #[must_use]
     pub fn faces(self, faces: bool) -> Self {
@@ -314,13 +321,13 @@ pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comp
         let text = text.to_owned();
         move |fault: Fault| fault.located(side, &text)
     };
-    let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
+    let expected = File::read(reference, options).map_err(at(Side::Reference, reference))?;
     expected.check_names(options).map_err(at(Side::Reference, reference))?;
     let target = expected.target(options).map_err(at(Side::Reference, reference))?;
     if same {
         return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
     }
-    let found = File::read(student).map_err(at(Side::Student, student))?;
+    let found = File::read(student, options).map_err(at(Side::Student, student))?;
     found.check_names(options).map_err(at(Side::Student, student))?;
     expected.compare(&target, &found, options).map_err(at(Side::Student, student))
 }
@@ -332,9 +339,9 @@ struct File {
 }
 
 impl File {
-    fn read(text: &str) -> Result<Self, Fault> {
+    fn read(text: &str, options: &Options) -> Result<Self, Fault> {
         let document = markup::parse(text)?;
-        Ok(Self { table: declared::read(&document)?, drawing: Drawing::read(&document)? })
+        Ok(Self { table: declared::read(&document)?, drawing: Drawing::read(&document, options.part())? })
     }
 
     /// Names can be compared of what is declared only.

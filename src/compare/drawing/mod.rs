@@ -22,6 +22,7 @@
 //!   rims.rs    Lines that end at the rims of boxes
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
+//!   slack.rs   How near to each other things are drawn that belong together
 //!   stamps.rs  Vertices drawn as squares or crosses
 //! ```
 
@@ -36,6 +37,7 @@ mod reuse;
 mod rims;
 mod root;
 mod shapes;
+mod slack;
 mod stamps;
 
 use super::error::{Fault, Problem, quoted};
@@ -197,8 +199,9 @@ impl Drawing {
         self.outlines.retain(|outline| !is_out(outline.legend));
     }
 
-    /// Reads a document. O(size), up to the caps.
-    pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
+    /// Reads a document; `tolerance` is how far points may be from their places, as a part of the drawing. O(size), up to
+    /// the caps.
+    pub(in crate::compare) fn read(document: &Document<'_>, tolerance: f64) -> Result<Self, Fault> {
         let css = root::style_sheets(document)?;
         let short = |selector: &str| selector.chars().take(60).collect::<String>();
         match untold(&css) {
@@ -266,7 +269,7 @@ impl Drawing {
         }
         reader.element(root, &around, 0)?;
         if !kit {
-            stamps::read(&mut reader.out, &reader.shapes);
+            stamps::read(&mut reader.out, &reader.shapes, tolerance);
         }
         for (name, count) in animations.notes {
             reader.ignored.insert(format!("<{name}>"), count);

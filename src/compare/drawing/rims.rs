@@ -7,6 +7,7 @@
 //! ```
 
 use super::heads::{Heads, Inked};
+use super::slack::Slack;
 use super::{Drawing, Line};
 use crate::compare::ends::Loose;
 use crate::compare::painting::Shape;
@@ -14,9 +15,8 @@ use crate::compare::pairing::distance;
 use crate::plane::Point;
 use std::collections::BTreeMap;
 
-/// How near to its rim a line ends, and how far aside of its middle it may point, as parts of the drawing.
-const NEAR: f64 = 1e-3;
-const ASIDE: f64 = 4e-4;
+/// How far aside of its middle a line may point, in tolerances.
+const ASIDE: f64 = 4.8;
 /// Boxes looked at for all ends; what takes more stays as it is.
 const WORK: usize = 20_000_000;
 
@@ -81,13 +81,13 @@ pub(super) struct Aimed {
     pub(super) are_most: bool,
 }
 
-/// Finds the ends of lines at the rims of boxes, which are given with their shapes, in a drawing of this size. `is_reached`
+/// Finds the ends of lines at the rims of boxes, which are given with their shapes, up to this slack. `is_reached`
 /// says which points are at other vertices. O(n log n), up to a cap.
 pub(super) fn aimed(
     drawing: &Drawing,
     boxes: &BTreeMap<u32, Frame>,
     heads: &Heads,
-    size: f64,
+    slack: Slack,
     is_reached: impl Fn(Point) -> bool,
 ) -> Aimed {
     let mut out = Aimed { ends: BTreeMap::new(), are_most: false };
@@ -101,7 +101,7 @@ pub(super) fn aimed(
     let lines: Vec<(usize, &Line)> = drawing.lines.iter().enumerate().filter(is_line).collect();
     let mut loose = Loose::default();
     lines.iter().for_each(|(_, line)| loose.add(line.ends));
-    let cell = boxes.values().map(Frame::reach).fold(NEAR * size, f64::max);
+    let cell = boxes.values().map(Frame::reach).fold(slack.near(), f64::max);
     let place = |p: Point| ((p.x / cell).floor() as i64, (p.y / cell).floor() as i64);
     let mut cells: BTreeMap<(i64, i64), Vec<(u32, Frame)>> = BTreeMap::new();
     boxes.iter().for_each(|(shape, frame)| cells.entry(place(frame.middle)).or_default().push((*shape, *frame)));
@@ -123,8 +123,11 @@ pub(super) fn aimed(
                 if looked > WORK {
                     return Aimed { ends: BTreeMap::new(), are_most: false };
                 }
-                let reach = frame.rim + line.half + NEAR * size;
-                if frame.beyond(tip) <= reach && frame.beyond(other) > reach && points_at([other, own], frame, size) {
+                let reach = frame.rim + line.half + slack.near();
+                if frame.beyond(tip) <= reach
+                    && frame.beyond(other) > reach
+                    && points_at([other, own], frame, ASIDE * slack.tolerance)
+                {
                     (at, count) = (Some(*shape), count + usize::from(at != Some(*shape)));
                 }
             }
@@ -139,12 +142,12 @@ pub(super) fn aimed(
     out
 }
 
-/// Whether a line from one point to another goes on to the middle of a box.
-fn points_at([from, to]: [Point; 2], frame: &Frame, size: f64) -> bool {
+/// Whether a line from one point to another goes on to the middle of a box, or no farther aside of it than this.
+fn points_at([from, to]: [Point; 2], frame: &Frame, aside: f64) -> bool {
     let long = distance(from, to);
     let way = Point::new((to.x - from.x) / long, (to.y - from.y) / long);
     let rest = Point::new(frame.middle.x - to.x, frame.middle.y - to.y);
-    rest.x * way.x + rest.y * way.y > 0.0 && (rest.x * way.y - rest.y * way.x).abs() <= ASIDE * size
+    rest.x * way.x + rest.y * way.y > 0.0 && (rest.x * way.y - rest.y * way.x).abs() <= aside
 }
 
 /// Lets lines end in the middles of boxes, and their ink at the circles that stand for these.

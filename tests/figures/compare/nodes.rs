@@ -2,6 +2,7 @@
 
 use super::judge;
 use super::shown::{CORNERS, EDGES, P, drawn, line, same, says, square, with};
+use dcel_kit::compare::{Options, compare};
 
 const STROKE: &str = "stroke=\"#333\" stroke-width=\"1.5\"";
 
@@ -74,6 +75,32 @@ fn boxes_round_labels_are_vertices_where_lines_end_at_them() {
         let less = |i: usize, ends: [P; 2]| if i == 4 { String::new() } else { between(ends, size, 0.0) };
         says(&drawn(less, node(size), ""), "edge between (550, 350) and (450, 250) is missing");
     }
+}
+
+/// How near lines end to boxes, and how well they point to their middles, follows the tolerance.
+#[test]
+fn boxes_follow_the_tolerance() {
+    let size = [54.0, 36.0];
+    let node = |[x, y]: P| {
+        let [left, top] = [x - 0.5 * size[0], y - 0.5 * size[1]];
+        format!("<rect x=\"{left}\" y=\"{top}\" width=\"54\" height=\"36\" fill=\"none\" stroke=\"black\"/>")
+    };
+    let equal = |svg: &str, px: f64| {
+        compare(&with(""), svg, &Options::new().tolerance(px)).unwrap_or_else(|error| panic!("{error}")).is_equal()
+    };
+    let gap = |more: f64| drawn(|_, ends| between(ends, size, more), node, "");
+    // The lines stop short of the rims.
+    assert!(equal(&gap(0.5), 0.05) && !equal(&gap(2.5), 0.05) && equal(&gap(2.5), 1.0) && !equal(&gap(9.0), 1.0));
+    // They point beside the middles.
+    let aside = |by: f64| {
+        let edge = |_: usize, ends: [P; 2]| {
+            let [a, b] = [rim(ends[0], ends[1], size, 0.0), rim(ends[1], ends[0], size, 0.0)];
+            line([[a[0], a[1] + by], [b[0], b[1] + by]], STROKE)
+        };
+        drawn(edge, node, "")
+    };
+    assert!(equal(&aside(0.1), 0.05) && !equal(&aside(0.1), 0.01));
+    assert!(!equal(&aside(1.2), 0.05) && equal(&aside(1.2), 0.5) && !equal(&aside(6.0), 0.5));
 }
 
 /// As Graphviz draws them: edges as curves, nodes as closed polygons.
