@@ -5,6 +5,9 @@
 //!   │ a ├────────┤ b │
 //!   └───┘        └───┘
 //! ```
+//!
+//! At a square it may stop at the circle through the corners, exactly there: so much room some programs leave round a node,
+//! whatever its shape.
 
 use super::heads::{Heads, Inked};
 use super::slack::Slack;
@@ -17,6 +20,10 @@ use std::collections::BTreeMap;
 
 /// How far aside of its middle a line may point, in tolerances.
 const ASIDE: f64 = 4.8;
+/// How far from the circle through the corners of a square a line may stop, in tolerances.
+const ROUND: f64 = 2.0;
+/// A box is a square if it is no more than so many times as long as wide.
+const SQUARE: f64 = 1.03;
 /// Boxes looked at for all ends; what takes more stays as it is.
 const WORK: usize = 20_000_000;
 
@@ -52,6 +59,17 @@ impl Frame {
             (way.x * half.x + way.y * half.y).abs() / long - long
         });
         off[0].max(off[1])
+    }
+
+    /// Whether something ends here that may be so far beyond the rim, or, at a square, so far from the circle through its
+    /// corners.
+    fn stops(&self, p: Point, more: f64, slack: f64) -> bool {
+        self.beyond(p) <= more || self.is_square() && (distance(p, self.middle) - self.reach()).abs() <= slack
+    }
+
+    fn is_square(&self) -> bool {
+        let [long, wide] = self.halves.map(|half| half.x.hypot(half.y));
+        long.max(wide) <= SQUARE * long.min(wide)
     }
 
     /// How far the corners are from the middle.
@@ -124,7 +142,7 @@ pub(super) fn aimed(
                     return Aimed { ends: BTreeMap::new(), are_most: false };
                 }
                 let reach = frame.rim + line.half + slack.near();
-                if frame.beyond(tip) <= reach
+                if frame.stops(tip, reach, ROUND * slack.tolerance)
                     && frame.beyond(other) > reach
                     && points_at([other, own], frame, ASIDE * slack.tolerance)
                 {

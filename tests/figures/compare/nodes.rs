@@ -77,6 +77,48 @@ fn boxes_round_labels_are_vertices_where_lines_end_at_them() {
     }
 }
 
+/// As programs do that leave the same room at nodes of every shape.
+#[test]
+fn a_line_that_stops_at_the_circle_through_the_corners_of_a_square_ends_at_its_vertex() {
+    let short = |ends: [P; 2], room: f64| {
+        let [[a, b], [c, d]] = ends;
+        let part = room / f64::hypot(c - a, d - b);
+        [[a + part * (c - a), b + part * (d - b)], [c - part * (c - a), d - part * (d - b)]]
+    };
+    for style in ["", "fill=\"none\" stroke=\"black\"", "fill=\"#1f78b4\" stroke=\"#1f78b4\""] {
+        for side in [8.0, 17.3, 30.0] {
+            let room = side * f64::sqrt(0.5);
+            let lines = |room: f64, last: &str| {
+                drawn(|_, ends| line(short(ends, room), STROKE), |p| square(p, side, style), last)
+            };
+            same(&lines(room, ""));
+            let extra = line(short([CORNERS[0], CORNERS[2]], room), STROKE);
+            says(&lines(room, &extra), "edge between (50, 350) and (550, 50) is not in the reference");
+            // Between the rims and that circle, and beyond it, by all lines or by one end.
+            for other in [room - 0.4, room + 3.0] {
+                // A small square has no room between them.
+                assert!(
+                    side < 10.0 && other < room || !judge(&with(""), &lines(other, "")).is_equal(),
+                    "{side} {style}"
+                );
+            }
+            let whole = line(short([CORNERS[0], CORNERS[1]], room), STROKE);
+            let less = whole.replacen(&format!("x2=\"{}\"", 550.0 - room), &format!("x2=\"{}\"", 547.0 - room), 1);
+            assert_ne!(whole, less);
+            assert!(!judge(&with(""), &lines(room, "").replacen(&whole, &less, 1)).is_equal(), "{side} {style}");
+        }
+    }
+    // Boxes that are no squares have rims only.
+    let wide = |[x, y]: P| {
+        format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"40\" height=\"26\" fill=\"none\" stroke=\"black\"/>",
+            x - 20.0,
+            y - 13.0
+        )
+    };
+    assert!(!judge(&with(""), &drawn(|_, ends| line(short(ends, 23.8), STROKE), wide, "")).is_equal());
+}
+
 /// How near lines end to boxes, and how well they point to their middles, follows the tolerance.
 #[test]
 fn boxes_follow_the_tolerance() {
