@@ -11,6 +11,7 @@
 //! half-edges, pointers and hatches beside the edges, tables and insets are decoration: they can hide, and nothing else.
 //!
 //! ```text
+//!   arrows.rs  Arrows that are one filled outline
 //!   axes.rs    Axes of matplotlib
 //!   clips.rs   Clip paths
 //!   foreign.rs What stands in a foreignObject
@@ -26,6 +27,7 @@
 //!   stamps.rs  Vertices drawn as squares or crosses
 //! ```
 
+mod arrows;
 mod axes;
 mod clips;
 mod foreign;
@@ -174,6 +176,8 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) bends: Vec<u32>,
     pub(in crate::compare) names: Vec<Name>,
     pub(in crate::compare) painting: Painting,
+    /// Coats of areas that are drawn in place of lines, which are among the lines.
+    pub(in crate::compare) bars: Vec<u32>,
     /// Coats that are paper: what lies behind it all by the style of the root, and what lies behind axes.
     pub(in crate::compare) paper: Vec<u32>,
     /// The part of the plane that is shown: lowest and highest corner.
@@ -269,7 +273,11 @@ impl Drawing {
         }
         reader.element(root, &around, 0)?;
         if !kit {
-            stamps::read(&mut reader.out, &reader.shapes, tolerance);
+            let curved = stamps::read(&mut reader.out, &reader.shapes, tolerance);
+            if let Some(count) = reader.ignored.get_mut(shapes::CURVES) {
+                *count = count.saturating_sub(curved);
+            }
+            reader.ignored.retain(|_, count| *count > 0);
         }
         for (name, count) in animations.notes {
             reader.ignored.insert(format!("<{name}>"), count);

@@ -17,6 +17,7 @@ use crate::compare::painting::Shape;
 use crate::compare::pairing::distance;
 use crate::plane::Point;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// How far aside of its middle a line may point, in tolerances.
 const ASIDE: f64 = 4.8;
@@ -24,6 +25,8 @@ const ASIDE: f64 = 4.8;
 const ROUND: f64 = 2.0;
 /// A box is a square if it is no more than so many times as long as wide.
 const SQUARE: f64 = 1.03;
+/// What an arrow that is an area gets at a box is as wide as this part of that.
+const HAIR: f64 = 0.02;
 /// Boxes looked at for all ends; what takes more stays as it is.
 const WORK: usize = 20_000_000;
 
@@ -168,8 +171,9 @@ fn points_at([from, to]: [Point; 2], frame: &Frame, aside: f64) -> bool {
     rest.x * way.x + rest.y * way.y > 0.0 && (rest.x * way.y - rest.y * way.x).abs() <= aside
 }
 
-/// Lets lines end in the middles of boxes, and their ink at the circles that stand for these.
-pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inked: &Inked) {
+/// Lets lines end in the middles of boxes, and their ink at the circles that stand for these. `coats` says what each shape
+/// painted.
+pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inked: &Inked, coats: &[Range<u32>]) {
     for ((number, end), frame) in ends {
         drawing.lines[*number].ends[*end] = frame.middle;
         let before = inked.ends(*number);
@@ -177,11 +181,23 @@ pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inke
         let part = frame.radius() / distance(other, frame.middle);
         let towards = |p: f64, q: f64| q + part * (p - q);
         let rim = Point::new(towards(other.x, frame.middle.x), towards(other.y, frame.middle.y));
-        let coat = inked.coat(*number).map(|coat| &mut drawing.painting.coats[coat as usize].shape);
-        if let Some(Shape::Stroke(ends, _)) = coat
-            && distance(other, rim) > distance(other, before[*end])
-        {
-            ends[*end] = rim;
+        let first = coats[drawing.lines[*number].shape as usize].start;
+        let bar = drawing.bars.binary_search(&first).is_ok().then_some(first);
+        let Some(coat) = inked.coat(*number).or(bar) else { continue };
+        if distance(other, rim) <= distance(other, before[*end]) {
+            continue;
+        }
+        match &mut drawing.painting.coats[coat as usize].shape {
+            Shape::Stroke(ends, _) => ends[*end] = rim,
+            Shape::Area(area) => *area = area.with(&strip([before[*end], rim], HAIR * frame.radius())),
+            Shape::Disc(_) => {}
         }
     }
+}
+
+/// The corners of a strip along a way, of this half width.
+fn strip([a, b]: [Point; 2], half: f64) -> Vec<Point> {
+    let part = half / distance(a, b);
+    let off = Point::new(-part * (b.y - a.y), part * (b.x - a.x));
+    [(a, 1.0), (b, 1.0), (b, -1.0), (a, -1.0)].map(|(p, s)| Point::new(p.x + s * off.x, p.y + s * off.y)).to_vec()
 }

@@ -11,6 +11,7 @@
 //! Each becomes a dot where it stands, as large as a circle in it, or of its area if it is no square. Only stamps of the
 //! size of most others at ends of lines count, those elsewhere that look like them, and none where a circle is drawn.
 
+use super::arrows;
 use super::heads::{Heads, Inked};
 use super::rims::{self, Frame};
 use super::slack::Slack;
@@ -83,9 +84,11 @@ struct Placed {
 }
 
 /// Turns the stamps at the ends of lines into dots, and takes off heads of arrows. `coats` says what each shape painted,
-/// `tolerance` how far points may be from their places, as a part of the drawing. O(n log n).
-pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>], tolerance: f64) {
+/// `tolerance` how far points may be from their places, as a part of the drawing. Returns how many curves
+/// were read as lines. O(n log n).
+pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>], tolerance: f64) -> usize {
     let slack = |drawing: &Drawing| Slack::new(span(&drawing.points().collect::<Vec<Point>>()), tolerance);
+    let curved = arrows::read(drawing, coats, tolerance);
     let before = slack(drawing);
     let (heads, inked) = (Heads::of(drawing, before), Inked::of(drawing));
     let stamps = dots(drawing, coats, &heads, &inked, before);
@@ -94,6 +97,7 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>], tolerance: f64) 
     let stays = |shape: u32| stamps.binary_search(&shape).is_err();
     drawing.lines.retain(|line| gone.next() != Some(true) && stays(line.shape));
     drawing.outlines.retain(|outline| stays(outline.shape));
+    curved
 }
 
 /// Turns the stamps at the ends of lines into dots, and returns their shapes, sorted.
@@ -151,7 +155,7 @@ fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads, inked: &Inke
         let frame = boxes.get(shape)?;
         Some(aimed.ends.get(shape)?.iter().map(|&end| (end, *frame)))
     };
-    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>(), inked);
+    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>(), inked, coats);
     for stamp in vertices {
         repaint(drawing, &stamp, coats[stamp.shape as usize].clone());
         drawing.dots.push(Dot {
