@@ -5,8 +5,7 @@
 //!   ●◥◣_____ __●      there: a line from the middle of its tail to its tip
 //! ```
 //!
-//! Nothing else ends at its other corners: a slender triangle between vertices is a face. No line ends at its tail or its
-//! tip, but in the middle of a vertex: it would be the head of that line. Where no vertices are drawn at
+//! Nothing else ends at its other corners: a slender triangle between vertices is a face. Where no vertices are drawn at
 //! both ends nothing tells such an arrow from a face, and it stays what it is.
 
 use super::rims::Frame;
@@ -84,12 +83,12 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>], tolerance: f64) 
     curved
 }
 
-/// Keeps those that lead from one vertex to another, are no heads, and at whose other corners nothing is.
+/// Keeps those that lead from one vertex to another, and at whose other corners nothing is. They are longer than the room
+/// in which vertices are looked for: heads of lines are shorter.
 fn keep(arrows: &mut Vec<Arrow>, drawing: &Drawing, slack: Slack) {
     let shapes: BTreeSet<u32> = arrows.iter().map(|arrow| arrow.shape).collect();
     let is_other = |shape: u32| !shapes.contains(&shape);
     let lines = drawing.lines.iter().filter(|line| is_other(line.shape)).flat_map(|line| line.ends);
-    let shafts = Places::thinned(lines.clone(), slack.near());
     let outlines = drawing.outlines.iter().filter(|outline| is_other(outline.shape));
     let dots: Vec<(Point, f64)> =
         drawing.dots.iter().filter(|dot| dot.hidden.is_none()).map(|dot| (dot.at, dot.radius)).collect();
@@ -105,8 +104,7 @@ fn keep(arrows: &mut Vec<Arrow>, drawing: &Drawing, slack: Slack) {
     let mut circles = Circles::new(around.collect(), slack.tolerance);
     let mut vertex = |end: Point, other: Point| {
         let here = middles.near(end, slack.near()).map(|i| middles.points()[i as usize]);
-        let is_head = || shafts.near(end, slack.near()).is_some();
-        here.or_else(|| circles.aimed(end, other, 0.0, slack.tolerance).filter(|_| !is_head()))
+        here.or_else(|| circles.aimed(end, other, 0.0, slack.tolerance))
     };
     arrows.retain(|Arrow { ends: [tail, tip], corners, .. }| {
         let is_free = corners.iter().all(|&p| taken.near(p, slack.at()).is_none());

@@ -132,16 +132,23 @@ fn a_slender_face_is_no_arrow() {
     assert!(!judge(&crossed, &page(&(face("stroke=\"#333\"") + &dots))).is_equal());
 }
 
-/// A long head is a part of its line.
+/// A slender head is a part of its line, also on a line so short that the base of its head is near the other vertex.
 #[test]
 fn a_slender_head_is_no_arrow() {
-    let arrow = |_: usize, [[a, b], [c, d]]: [P; 2]| {
+    let corners: [P; 3] = [[50.0, 350.0], [86.0, 350.0], [550.0, 50.0]];
+    let page = |edge: &dyn Fn([P; 2]) -> String| {
+        let edges: String = [[0, 1], [1, 2]].map(|ends| edge(ends.map(|v| corners[v]))).concat();
+        let dots = corners.map(|p| circle(p, 5.5)).concat();
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 600 400\">{edges}{dots}</svg>")
+    };
+    let arrow = |[[a, b], [c, d]]: [P; 2]| {
         let long = (c - a).hypot(d - b);
         let [x, y] = [(c - a) / long, (d - b) / long];
         let at = |t: f64, off: f64| [a + t * x - off * y, b + t * y + off * x];
-        let (tip, base) = (long - 5.5, long - 30.0);
-        let [p, q, r] = [at(base, 3.0), at(tip, 0.0), at(base, -3.0)].map(|[x, y]| format!("{x} {y}"));
+        let (tip, base) = (long - 5.5, long - 12.5);
+        let [p, q, r] = [at(base, 1.5), at(tip, 0.0), at(base, -1.5)].map(|[x, y]| format!("{x} {y}"));
         line([at(5.5, 0.0), at(base, 0.0)], "stroke=\"black\"") + &format!("<path d=\"M{p}L{q}L{r}z\"/>")
     };
-    same(&drawn(arrow, |p| circle(p, 5.5), ""));
+    let answer = judge(&page(&|ends| line(ends, "stroke=\"black\"")), &page(&arrow));
+    assert!(answer.is_equal(), "{}", answer.text());
 }
