@@ -106,7 +106,7 @@ impl Arrow {
     pub(super) fn is_seen(&self, eye: &mut Eye<'_>, strays: &[Range<u32>]) -> bool {
         let mut heads: Vec<u32> = self.heads.iter().flat_map(|head| head.coats.iter().copied()).collect();
         heads.sort_unstable();
-        self.shafts.iter().any(|shaft| eye.shows_along(&shaft.coats, &heads, shaft.line.ends, strays))
+        self.shafts.iter().any(|shaft| eye.shows_along(&shaft.coats, &heads, shaft.line, strays))
     }
 
     /// Whether a head is seen, on what lies below its own shafts.

@@ -27,7 +27,7 @@ use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The drawing on which the tolerance is stated, in px.
-const CANVAS: f64 = 600.0;
+pub(super) const CANVAS: f64 = 600.0;
 /// If one edge of so many is hidden in the reference, its lines are too wide to be told apart.
 const MERGED: usize = 4;
 /// Drawings of more points are not tried mirrored and turned.
@@ -439,7 +439,7 @@ impl<'a> Target<'a> {
 
 fn tolerance(points: &[Point], options: &Options) -> f64 {
     let span = span(points);
-    options.tolerance / CANVAS * if span > 0.0 { span } else { 1.0 }
+    options.part() * if span > 0.0 { span } else { 1.0 }
 }
 
 /// A drawing in its own coordinates.

@@ -23,7 +23,7 @@ use super::links::Links;
 use super::pairing::span;
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, counted, listed};
-use super::spots;
+use super::spots::{self, Spots};
 use crate::figure::structure::skeleton::destination;
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::plane::Point;
@@ -261,8 +261,8 @@ pub(super) fn compare(
         let [one, many] = wrong.words();
         let text = format!("{}: {}", counted(names.len(), one, many), listed(&names));
         let own = found.iter().filter(|(_, other)| *other == wrong);
-        let spots =
-            placed.iter().flat_map(|[_, theirs]| own.clone().map(|(g, _)| spots::of(theirs, Element::HalfEdge(*g))));
+        let mut places = placed.map(|[_, theirs]| Spots::new(theirs));
+        let spots = own.filter_map(|(g, _)| Some(places.as_mut()?.of(Element::HalfEdge(*g))));
         (!names.is_empty()).then(|| Difference::new(Kind::HalfEdge, Layer::Drawn, text, spots::all(spots)))
     };
     Wrong::ALL.into_iter().filter_map(told).collect()

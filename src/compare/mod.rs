@@ -75,8 +75,8 @@
 //!
 //! | drawn | by |
 //! |---|---|
-//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too; a head of two strokes, or a small triangle, with its tip at a vertex is a marker |
-//! | vertex | `circle`, `ellipse` or a closed `path` that is one, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, or a small box at whose rim lines end that point to its middle, a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; an end within or at the rim of a circle to whose middle the line points is at that vertex; a thin filled rectangle from vertex to vertex is a line, too, and so is an arrow from vertex to vertex that is one slender filled outline, the same on both sides; a head of two strokes, or a small triangle, with its tip at a vertex is a marker |
+//! | vertex | `circle`, `ellipse` or a closed `path` that is one, filled or with a stroke; a line of no length with round ends; at the end of a line a small square or cross, or a small box at whose rim lines end that point to its middle (at a square also at the circle through its corners), a small triangle, star or polygon at whose corners nothing else ends, or a circle that a marker draws; a stamp that looks like these is one wherever it stands, and so is a square of the colour of the circles, about as large |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; hole faces of a declared structure, and what the fill rule of the reference leaves empty in a face, may be left as paper or filled, which is noted, but no other hole; a hole may be a second outline in the path or be reached over a bridge (a keyhole); further corners on its straight sides are no fault |
 //! | half-edge | where one is declared: a straight line on the left of its edge with a head: a filled one, a marker, strokes that meet, straight or bent, or all of it as one filled outline; twice is no fault |
 //!
@@ -119,15 +119,15 @@
 //! told if more than a tenth of it is seen between the circles at its ends, or one of its dashes if these draw hardly
 //! anything of it. A vertex is seen if its circle is, and
 //! reaches no other vertex; it hides no more than half of an edge; its radius is not less than 0.1 px, and it reaches
-//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. A
-//! thin line of decoration hides nothing of a half-edge if it is seen itself. So
-//! what is covered by an area, a circle, a picture or a line, cut off by a clip path or the `viewBox`, left out by
-//! dashes, without a size, filled twice under `evenodd`, transparent, painted by a gradient that is not there, below
-//! large letters or markers or letters that have the colour of what lies round them is told, with the reason. So is a
-//! line of less than 0.1 px, of which a screen shows a tenth of the ink, on a drawing of its own size, but at least 600
-//! px, or 1200 px if it has no size; one narrower than a px is as pale as a screen shows it. Of lines over each other
-//! it is enough that one shows: they may be cased or double. What the reference's own drawing hides nobody has to show.
-//! Colours themselves are not compared.
+//! beyond the lines there or has clearly another colour. A face is seen if it has another colour than the paper. A thin
+//! line of decoration hides nothing of a half-edge that it crosses if it is seen itself; one that runs along it, in
+//! another colour, hides it if no rim of it shows. So what is covered by an area, a circle, a picture or a line, cut
+//! off by a clip path or the `viewBox`, left out by dashes, without a size, filled twice under `evenodd`, transparent,
+//! painted by a gradient that is not there, below large letters or markers or letters that have the colour of what lies
+//! round them is told, with the reason. So is a line of less than 0.1 px, of which a screen shows a tenth of the ink,
+//! on a drawing of its own size, but at least 600 px, or 1200 px if it has no size; one narrower than a px is as pale
+//! as a screen shows it. Of lines over each other it is enough that one shows: they may be cased or double. What the
+//! reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! With [`Options::names`], every name that the reference shows has to be drawn: by a number (`v0`, `v_0`, `v₀`), the name
 //! of a face, or both of them (`f1 Garden`); another text stands for none. It stands in the group of what it names or
@@ -142,7 +142,9 @@
 //! and notes (by `class` or `id`), and not where it is a copy of the name below it.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
-//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]).
+//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]); a
+//! larger tolerance also lets lines end farther from rims and tips of arrows, and a smaller one lets them point less far
+//! aside of the middles of vertices.
 //! The outer face may be filled, or not, as long as it hides nothing. A root without width or height shows nothing.
 //!
 //! ```text
@@ -231,6 +233,10 @@ use drawn::{Seen, Target};
 use error::Fault;
 use placed::Placed;
 use sketch::Sketch;
+use std::collections::BTreeSet;
+
+/// Pairs of differences looked at to tell each thing once.
+const TOLD: usize = 5_000_000;
 
 /// What a comparison asks for.
 #[derive(Clone, Debug)]
@@ -266,6 +272,11 @@ impl Options {
     #[must_use]
     pub fn tolerance(self, px: f64) -> Self {
         Self { tolerance: if px > 0.0 && px <= 100.0 { px } else { self.tolerance }, ..self }
+    }
+
+    /// The tolerance as a part of the drawing.
+    fn part(&self) -> f64 {
+        self.tolerance / drawn::CANVAS
     }
 
     /// Whether filled polygons are compared. Default: yes, if the reference has any.
@@ -310,13 +321,13 @@ pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comp
         let text = text.to_owned();
         move |fault: Fault| fault.located(side, &text)
     };
-    let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
+    let expected = File::read(reference, options).map_err(at(Side::Reference, reference))?;
     expected.check_names(options).map_err(at(Side::Reference, reference))?;
     let target = expected.target(options).map_err(at(Side::Reference, reference))?;
     if same {
         return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
     }
-    let found = File::read(student).map_err(at(Side::Student, student))?;
+    let found = File::read(student, options).map_err(at(Side::Student, student))?;
     found.check_names(options).map_err(at(Side::Student, student))?;
     expected.compare(&target, &found, options).map_err(at(Side::Student, student))
 }
@@ -328,9 +339,9 @@ struct File {
 }
 
 impl File {
-    fn read(text: &str) -> Result<Self, Fault> {
+    fn read(text: &str, options: &Options) -> Result<Self, Fault> {
         let document = markup::parse(text)?;
-        Ok(Self { table: declared::read(&document)?, drawing: Drawing::read(&document)? })
+        Ok(Self { table: declared::read(&document)?, drawing: Drawing::read(&document, options.part())? })
     }
 
     /// Names can be compared of what is declared only.
@@ -411,7 +422,7 @@ fn layer(differences: &[Difference], otherwise: Layer) -> Layer {
 
 /// What both layers say, each thing once.
 fn merged(declared: Vec<Difference>, seen: Seen, notes: &mut Vec<String>) -> (Layer, Vec<Difference>) {
-    let mut differences = declared;
+    let mut differences = declared.clone();
     let deciding = match (differences.is_empty(), seen.differences.is_empty()) {
         (true, false) => {
             notes.push("what the file declares (data-*) agrees with the reference; what it draws does not".to_owned());
@@ -423,10 +434,20 @@ fn merged(declared: Vec<Difference>, seen: Seen, notes: &mut Vec<String>) -> (La
         }
         _ => layer(&differences, Layer::Declared),
     };
-    let known = differences.clone();
-    differences.extend(seen.differences.into_iter().filter(|new| !known.iter().any(|old| old.says(new))));
+    differences.extend(untold(&declared, seen.differences));
     differences.sort_by_key(|difference| difference.kind);
     (deciding, differences)
+}
+
+/// What of the second is not told by the first, perhaps in other words. Of very many only the words are compared.
+fn untold(told: &[Difference], others: Vec<Difference>) -> impl Iterator<Item = Difference> + '_ {
+    let texts: BTreeSet<&str> = told.iter().map(|difference| difference.text.as_str()).collect();
+    let mut looked = 0;
+    others.into_iter().filter(move |new| {
+        looked += told.len();
+        let is_told = texts.contains(new.text.as_str()) || looked <= TOLD && told.iter().any(|old| old.says(new));
+        !is_told
+    })
 }
 
 /// A file that declares one thing and draws another.

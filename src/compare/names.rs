@@ -18,7 +18,7 @@ use super::pairing::span;
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
 use super::spelling::Spelling;
-use super::spots;
+use super::spots::Spots;
 use super::standing::Around;
 use super::surplus::{Surplus, surplus};
 use crate::plane::Point;
@@ -106,16 +106,15 @@ pub(super) fn compare([reference, student]: [(&Drawing, &Placed<'_>); 2]) -> Vec
     let [mine, theirs] = [reference, student].map(|(drawing, placed)| names(drawing, placed.table));
     let (expected, found) = (mine.drawn, theirs.drawn);
     let mut out = Vec::new();
+    let mut spots = [reference.1, student.1].map(Spots::new);
     let mut say = |element: &str, text: String| {
         let kind = match element.as_bytes().first() {
             Some(b'v') => Kind::Vertex,
             Some(b'h') => Kind::HalfEdge,
             _ => Kind::Face,
         };
-        let spot = match spots::named(reference.1, element) {
-            Spot::Nowhere => spots::named(student.1, element),
-            spot => spot,
-        };
+        let spot = spots.iter_mut().map(|spots| spots.named(element)).find(|spot| *spot != Spot::Nowhere);
+        let spot = spot.unwrap_or(Spot::Nowhere);
         out.push(Difference::new(kind, Layer::Drawn, text, spot));
     };
     for (element, drawn) in found.iter().filter(|(element, drawn)| expected.get(*element) != Some(*drawn)) {

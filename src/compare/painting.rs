@@ -88,6 +88,10 @@ impl Area {
         let ahead = |ring: &[Point], i: usize| ring[(i + 1) % ring.len()];
         let sides: Vec<[Point; 2]> =
             rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ahead(ring, i)])).collect();
+        Self::of_sides(sides, even_odd)
+    }
+
+    fn of_sides(sides: Vec<[Point; 2]>, even_odd: bool) -> Self {
         let [low, high] = corners(sides.iter().flatten().copied());
         let mut out = Self { even_odd, low, high, sides, bands: Vec::new() };
         if out.sides.len() >= FEW {
@@ -111,6 +115,12 @@ impl Area {
         let height = self.high.y - self.low.y;
         let part = if height > 0.0 { (y - self.low.y) / height } else { 0.0 };
         ((part * count as f64).max(0.0) as usize).min(count - 1)
+    }
+
+    /// The same with one ring more, which lies elsewhere.
+    pub(super) fn with(&self, ring: &[Point]) -> Self {
+        let sides = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
+        Self::of_sides(self.sides.iter().copied().chain(sides).collect(), self.even_odd)
     }
 
     /// Whether a point lies inside by the fill rule, and how many sides were looked at.

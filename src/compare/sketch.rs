@@ -339,6 +339,7 @@ impl Sketch {
         let mut ends = vec![false; graph.points.len()];
         graph.edges.iter().flatten().for_each(|&m| ends[m as usize] = true);
         let (dots, radii) = (0..graph.points.len() as u32).map(dot).unzip();
+        beside.bars.extend(&drawing.bars);
         beside.bars.sort_unstable();
         beside.paper.extend(&drawing.paper);
         beside.paper.sort_unstable();

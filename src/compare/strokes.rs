@@ -2,8 +2,10 @@
 //!
 //! ```text
 //!    ──┃──▸     a thin line of decoration over an arrow, as leaders are, hides nothing of it if it is seen itself
+//!    ══════▸    one that runs along it, in another colour, hides what it covers: rims of the arrow have to show beside it
 //! ```
 
+use super::along::Stroke;
 use super::eye::{Eye, FAINT, contrast};
 use super::painting::{Coat, Part, Shape};
 use super::pairing::distance;
@@ -16,6 +18,10 @@ const POINTS: usize = 8;
 /// much contrast.
 const THIN: f64 = 0.006;
 const CLEAR: f64 = 48.0;
+/// A line runs along another one if it turns by less than this, as a part of its length. The rim of that one shows beside
+/// it if it does so far from the middle, as a part of half the width.
+const TURN: f64 = 0.1;
+const RIM: f64 = 0.8;
 /// What is drawn twice lies at the same place up to this part of its size.
 const NEAR: f64 = 0.02;
 
@@ -25,42 +31,61 @@ impl Eye<'_> {
     pub(super) fn any_line(&mut self, coats: Range<u32>, without: bool, strays: &[Range<u32>]) -> bool {
         let painting = self.painting;
         let ends = |i: u32| match painting.coats[i as usize].shape {
-            Shape::Stroke(ends, _) => Some((i, ends)),
+            Shape::Stroke(ends, half) => Some((i, Stroke { ends, half })),
             _ => None,
         };
         let mut lines = coats.filter_map(ends).peekable();
         let is_any = lines.peek().is_some();
-        if is_any { lines.any(|(i, ends)| self.shows_along(&[i], &[], ends, strays)) } else { without }
+        if is_any { lines.any(|(i, line)| self.shows_along(&[i], &[], line, strays)) } else { without }
     }
 
-    /// Whether one of some coats is seen at half of the points along a line, with those of its heads, sorted, which may lie
-    /// over it.
+    /// Whether one of some coats is seen at half of the points along a line, in its middle or at its rims, with those of its
+    /// heads, sorted, which may lie over it.
     pub(super) fn shows_along(
         &mut self,
         coats: &[u32],
         heads: &[u32],
-        [a, b]: [Point; 2],
+        Stroke { ends: [a, b], half }: Stroke,
         strays: &[Range<u32>],
     ) -> bool {
         let painting = self.painting;
+        let way = Point::new(b.x - a.x, b.y - a.y);
+        let aside = RIM * half / way.x.hypot(way.y).max(f64::MIN_POSITIVE);
         let is_stray = |j: u32| {
             let next = strays.partition_point(|range| range.start <= j);
             next > 0 && strays[next - 1].contains(&j)
         };
+        let is_head = |j: u32| heads.binary_search(&j).is_ok();
+        let shows_at = |eye: &mut Self, t: f64, off: f64| {
+            eye.look(Point::new(a.x + t * way.x - off * way.y, a.y + t * way.y + off * way.x));
+            coats.iter().any(|&i| {
+                let own = &painting.coats[i as usize];
+                let goes_with = |j: u32, coat: &Coat| is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
+                let crosses = |coat: &Coat| !runs_along(coat, way) || contrast(coat.colour, own.colour) < FAINT;
+                eye.differs(i, crosses, |j, coat| goes_with(j, coat) || is_head(j) || is_again(own, coat))
+            })
+        };
+        let Some(&lowest) = coats.iter().min() else { return false };
         let mut seen = 0;
         for k in 0..POINTS {
             if self.is_tired() {
                 return true;
             }
             let t = (k as f64 + 0.5) / POINTS as f64;
-            self.look(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
-            let is_seen = |&i: &u32| {
-                let own = &painting.coats[i as usize];
-                let goes_with = |j: u32, coat: &Coat| is_stray(j) && contrast(coat.colour, own.colour) < FAINT;
-                let is_head = |j: u32| heads.binary_search(&j).is_ok();
-                self.differs(i, |j, coat| goes_with(j, coat) || is_head(j) || is_again(own, coat))
-            };
-            seen += usize::from(coats.iter().any(is_seen));
+            if shows_at(self, t, 0.0) {
+                seen += 1;
+                continue;
+            }
+            // Beside a line along it a rim shows on both sides, or on one if that line is seen itself.
+            let is_over = |j: &u32| *j > lowest && runs_along(&painting.coats[*j as usize], way) && !coats.contains(j);
+            let over: Vec<u32> = self.stack.iter().copied().filter(is_over).collect();
+            if over.is_empty() {
+                continue;
+            }
+            let ground = self.ground(lowest);
+            let is_clear = over.iter().all(|&j| self.is_thin(&painting.coats[j as usize], ground));
+            let rims = [aside, -aside].into_iter().filter(|&off| shows_at(self, t, off)).count();
+            seen += usize::from(rims == 2 || is_clear && rims == 1);
         }
         2 * seen >= POINTS
     }
@@ -79,17 +104,17 @@ impl Eye<'_> {
                 return self.marks(i, p);
             }
             let is_alike = |coat: &Coat| coat.part == Part::Other && contrast(own.colour, coat.colour) < FAINT;
-            self.differs(i, |_, coat| is_alike(coat) || is_again(own, coat))
+            self.differs(i, |_| true, |_, coat| is_alike(coat) || is_again(own, coat))
         })
     }
 
     /// Whether the colour of the last point looked at would be another one without a coat and those that go with it, below
-    /// what thin lines leave open: with what thin patterns paint there, and with what they leave open.
-    fn differs(&self, i: u32, goes_with: impl Fn(u32, &Coat) -> bool) -> bool {
+    /// what thin lines that cross it leave open: with what thin patterns paint there, and with what they leave open.
+    fn differs(&self, i: u32, crosses: impl Fn(&Coat) -> bool, goes_with: impl Fn(u32, &Coat) -> bool) -> bool {
         let painting = self.painting;
-        let ground =
-            self.colour(|j, coat| j < i && coat.part != Part::Other && !matches!(coat.shape, Shape::Stroke(..)));
-        let is_passed = |j: u32| j > i && self.is_thin(&painting.coats[j as usize], ground);
+        let ground = self.ground(i);
+        let may_pass = |coat: &Coat| self.is_thin(coat, ground) && crosses(coat);
+        let is_passed = |j: u32| j > i && may_pass(&painting.coats[j as usize]);
         let is_kept = |j: u32, coat: &Coat| j != i && !goes_with(j, coat);
         let is_open = |j: u32| painting.sparse.binary_search(&j).is_ok() || is_passed(j);
         let differ = |counts: &dyn Fn(u32) -> bool| {
@@ -97,6 +122,11 @@ impl Eye<'_> {
             contrast(all, self.colour(|j, coat| counts(j) && is_kept(j, coat))) >= FAINT
         };
         differ(&|j| !is_passed(j)) && (painting.sparse.is_empty() || differ(&|j| j == i || !is_open(j)))
+    }
+
+    /// What areas paint at the last point looked at, below a coat.
+    fn ground(&self, i: u32) -> [f64; 3] {
+        self.colour(|j, coat| j < i && coat.part != Part::Other && !matches!(coat.shape, Shape::Stroke(..)))
     }
 
     /// Whether a coat is a thin line of decoration that is seen on this ground.
@@ -115,6 +145,13 @@ impl Eye<'_> {
         let above = self.stack.iter().filter(|&&j| j > i).map(|&j| 1.0 - self.painting.coats[j as usize].alpha);
         above.product::<f64>() * coat.alpha * contrast(coat.colour, below) >= FAINT
     }
+}
+
+/// Whether a coat is a line of decoration that runs this way or back.
+fn runs_along(coat: &Coat, way: Point) -> bool {
+    let Shape::Stroke([c, d], _) = coat.shape else { return false };
+    let (x, y) = (d.x - c.x, d.y - c.y);
+    coat.part == Part::Other && (x * way.y - y * way.x).abs() <= TURN * x.hypot(y) * way.x.hypot(way.y)
 }
 
 /// Whether a coat paints the same place as another one, in the same colour.

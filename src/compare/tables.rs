@@ -15,7 +15,8 @@ use super::graph::Telling;
 use super::links::{Links, Reduced};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot, Writing, counted};
-use super::{Options, faces, shape, spots};
+use super::spots::Spots;
+use super::{Options, faces, shape};
 use crate::figure::structure::skeleton::{half_edges, mutual_twin, vertices};
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::topology::{Table, View, violations};
@@ -69,11 +70,12 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
     let broken = violations(found.table);
     let mut notes = Vec::new();
     if differences.is_empty() {
+        let mut spots = Spots::new(found);
         differences.extend(broken.iter().map(|violation| {
             let kind = violation.elements.first().map_or(Kind::Drawing, |&element| kind(element));
             let text = format!("your structure breaks an invariant: {violation}");
             let first = violation.elements.first();
-            let spot = first.map_or(Spot::Nowhere, |&element| spots::of(found, element));
+            let spot = first.map_or(Spot::Nowhere, |&element| spots.of(element));
             Difference::new(kind, Layer::Declared, text, spot)
         }));
     } else {

@@ -8,10 +8,11 @@
 //! Where the tip is at a vertex, and nothing else ends at the outer corners, the head is taken for a marker, which is no
 //! part of the structure, and the line ends where the ink of the tip does.
 
+use super::slack::Slack;
 use super::{Drawing, Line};
 use crate::compare::ends::Circles;
 use crate::compare::painting::{Mark, Part, Shape};
-use crate::compare::pairing::{NEXT, Places, distance, span};
+use crate::compare::pairing::{NEXT, Places, distance};
 use crate::compare::rings::open;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -24,10 +25,8 @@ const SMALL: f64 = 0.06;
 const SHORT: f64 = 0.5;
 /// How well its sides fit, as a part of their length.
 const FIT: f64 = 0.06;
-/// How near to the end of its line it is, as a part of the drawing.
-const NEAR: f64 = 1e-3;
-/// How far aside of a line the middle of its circle may lie, as a part of the drawing.
-const ASIDE: f64 = 8e-5;
+/// How far aside of a line the middle of its circle may lie, in tolerances, for circles.
+const ASIDE: f64 = 0.96;
 /// Ends of lines looked at for all heads; what takes more stays as it is.
 const WORK: usize = 20_000_000;
 /// Half the angle of the tip: its sine is between these.
@@ -61,11 +60,10 @@ pub(super) struct Heads {
 
 impl Heads {
     /// Finds what may be heads, wherever the vertices are. O(n log n).
-    pub(super) fn of(drawing: &Drawing) -> Self {
-        let size = span(&drawing.points().collect::<Vec<Point>>());
+    pub(super) fn of(drawing: &Drawing, slack: Slack) -> Self {
         let mut out = Self { all: Vec::new(), is_head: vec![false; drawing.lines.len()], tips: BTreeMap::new() };
-        if size > 0.0 {
-            let around = Around::new(drawing, size);
+        if slack.size > 0.0 {
+            let around = Around::new(drawing, slack);
             around.areas().into_iter().for_each(|head| out.add(head));
             around.strokes().into_iter().for_each(|head| out.add(head));
         }
@@ -99,32 +97,33 @@ impl Heads {
         coats: &[Range<u32>],
         stamps: &[u32],
         inked: &Inked,
+        slack: Slack,
     ) -> Vec<bool> {
         let mut gone = vec![false; drawing.lines.len()];
         if self.all.is_empty() {
             return gone;
         }
-        let size = span(&drawing.points().collect::<Vec<Point>>());
+        let (reach, aside) = (slack.near(), ASIDE * slack.tolerance);
         let dots: Vec<(Point, f64)> =
             drawing.dots.iter().filter(|dot| dot.hidden.is_none()).map(|dot| (dot.at, dot.radius)).collect();
-        let places = Places::thinned(dots.iter().map(|dot| dot.0), NEAR * size);
-        let mut circles = Circles::new(dots, ASIDE * size);
+        let places = Places::thinned(dots.iter().map(|dot| dot.0), reach);
+        let mut circles = Circles::new(dots, aside);
         for Head { shaft: (number, end), was, is_at_tip, corner, sides, tip, lines, shape } in self.all {
             if shape.is_some_and(|shape| stamps.binary_search(&shape).is_ok()) {
                 continue;
             }
             let line = drawing.lines[number];
             let (own, other) = (line.ends[end], line.ends[1 - end]);
-            let reach = line.half + NEAR * size;
-            let near = |p: Point| places.near(p, NEAR * size).map(|i| places.points()[i as usize]);
+            let far = line.half + reach;
+            let near = |p: Point| places.near(p, reach).map(|i| places.points()[i as usize]);
             // A line that ends at the base of its head has to reach its vertex by that, unless it was brought there.
             let is_near = is_at_tip || was != own;
             // Strokes that end at vertices on both sides are edges.
-            let is_edge = |p: Point| near(p).is_some() || circles.aimed(p, corner, reach, ASIDE * size).is_some();
+            let is_edge = |p: Point| near(p).is_some() || circles.aimed(p, corner, far, aside).is_some();
             if sides.map(is_edge) != [false; 2] {
                 continue;
             }
-            let mut aimed = |p: Point| circles.aimed(p, other, reach, ASIDE * size);
+            let mut aimed = |p: Point| circles.aimed(p, other, far, aside);
             let vertex = near(own).filter(|_| is_near).or_else(|| near(tip)).or_else(|| aimed(tip));
             let Some(at) = vertex.or_else(|| aimed(own).filter(|_| is_near)) else { continue };
             drawing.lines[number].ends[end] = at;
@@ -184,6 +183,8 @@ fn key(p: Point) -> [u64; 2] {
 struct Around<'a> {
     drawing: &'a Drawing,
     size: f64,
+    /// How near to the end of its line it is.
+    near: f64,
     /// Lines by their ends.
     ends: BTreeMap<[u64; 2], Vec<(usize, usize)>>,
     /// The ends of lines that may have heads.
@@ -195,21 +196,22 @@ struct Around<'a> {
 }
 
 impl<'a> Around<'a> {
-    fn new(drawing: &'a Drawing, size: f64) -> Self {
+    fn new(drawing: &'a Drawing, slack: Slack) -> Self {
+        let (size, near) = (slack.size, slack.near());
         let mut ends: BTreeMap<[u64; 2], Vec<(usize, usize)>> = BTreeMap::new();
-        let (mut places, mut lines) = (Places::new(NEAR * size), Vec::new());
+        let (mut places, mut lines) = (Places::new(near), Vec::new());
         for (i, line) in drawing.lines.iter().enumerate().filter(|(_, line)| is_plain(line)) {
             for (end, &p) in line.ends.iter().enumerate() {
                 ends.entry(key(p)).or_default().push((i, end));
                 // One of those that end next to each other is enough.
-                if length(line) > SMALL * size && places.near(p, NEXT * NEAR * size).is_none() {
+                if length(line) > SMALL * size && places.near(p, NEXT * near).is_none() {
                     places.add(p);
                     lines.push((i, end));
                 }
             }
         }
-        let dots = Places::thinned(drawing.dots.iter().map(|dot| dot.at), NEAR * size);
-        Self { drawing, size, ends, places, lines, dots, looked: Cell::new(0) }
+        let dots = Places::thinned(drawing.dots.iter().map(|dot| dot.at), near);
+        Self { drawing, size, near, ends, places, lines, dots, looked: Cell::new(0) }
     }
 
     /// Areas that may be heads.
@@ -265,7 +267,7 @@ impl<'a> Around<'a> {
         lines: Vec<usize>,
     ) -> Head {
         let was = self.drawing.lines[shaft.0].ends[shaft.1];
-        let is_at_tip = distance(was, tip) <= NEAR * self.size;
+        let is_at_tip = distance(was, tip) <= self.near;
         Head { shaft, was, is_at_tip, corner: tip, sides, tip: ahead(base, tip, more), lines, shape: None }
     }
 
@@ -273,7 +275,7 @@ impl<'a> Around<'a> {
     /// many have been looked at.
     fn shaft(&self, place: Point, tip: Point, base: Point) -> Option<(usize, usize)> {
         let short = || self.ends.get(&key(place)).into_iter().flatten().copied();
-        let near = || self.places.near(place, NEAR * self.size).map(|i| self.lines[i as usize]);
+        let near = || self.places.near(place, self.near).map(|i| self.lines[i as usize]);
         let fits = |&(i, end): &(usize, usize)| {
             self.looked.set(self.looked.get() + 1);
             let line = &self.drawing.lines[i];
@@ -281,7 +283,7 @@ impl<'a> Around<'a> {
             let (long, head) = (distance(own, other), distance(tip, base));
             let is_long = SHORT * long >= head;
             let is_ahead = (own.x - other.x) * (tip.x - base.x) + (own.y - other.y) * (tip.y - base.y) > 0.0;
-            let is_along = aside(base, [other, tip]) <= FIT * head && aside(own, [other, tip]) <= NEAR * self.size;
+            let is_along = aside(base, [other, tip]) <= FIT * head && aside(own, [other, tip]) <= self.near;
             is_long && is_ahead && is_along
         };
         let is_tired = |_: &(usize, usize)| self.looked.get() > WORK;
@@ -292,8 +294,8 @@ impl<'a> Around<'a> {
     fn is_free(&self, sides: [Point; 2], own: &[usize]) -> bool {
         let is_own = |p: &Point| self.ends.get(&key(*p)).is_none_or(|all| all.iter().all(|(i, _)| own.contains(i)));
         let is_far = |p: &Point| {
-            let line = self.places.near(*p, NEAR * self.size).map(|i| self.lines[i as usize].0);
-            line.is_none_or(|line| own.contains(&line)) && self.dots.near(*p, NEAR * self.size).is_none()
+            let line = self.places.near(*p, self.near).map(|i| self.lines[i as usize].0);
+            line.is_none_or(|line| own.contains(&line)) && self.dots.near(*p, self.near).is_none()
         };
         sides.iter().all(|p| is_own(p) && is_far(p))
     }

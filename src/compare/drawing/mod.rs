@@ -11,6 +11,7 @@
 //! half-edges, pointers and hatches beside the edges, tables and insets are decoration: they can hide, and nothing else.
 //!
 //! ```text
+//!   arrows.rs  Arrows that are one filled outline
 //!   axes.rs    Axes of matplotlib
 //!   clips.rs   Clip paths
 //!   foreign.rs What stands in a foreignObject
@@ -22,9 +23,11 @@
 //!   rims.rs    Lines that end at the rims of boxes
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
+//!   slack.rs   How near to each other things are drawn that belong together
 //!   stamps.rs  Vertices drawn as squares or crosses
 //! ```
 
+mod arrows;
 mod axes;
 mod clips;
 mod foreign;
@@ -36,6 +39,7 @@ mod reuse;
 mod rims;
 mod root;
 mod shapes;
+mod slack;
 mod stamps;
 
 use super::error::{Fault, Problem, quoted};
@@ -172,6 +176,8 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) bends: Vec<u32>,
     pub(in crate::compare) names: Vec<Name>,
     pub(in crate::compare) painting: Painting,
+    /// Coats of areas that are drawn in place of lines, which are among the lines.
+    pub(in crate::compare) bars: Vec<u32>,
     /// Coats that are paper: what lies behind it all by the style of the root, and what lies behind axes.
     pub(in crate::compare) paper: Vec<u32>,
     /// The part of the plane that is shown: lowest and highest corner.
@@ -197,8 +203,9 @@ impl Drawing {
         self.outlines.retain(|outline| !is_out(outline.legend));
     }
 
-    /// Reads a document. O(size), up to the caps.
-    pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
+    /// Reads a document; `tolerance` is how far points may be from their places, as a part of the drawing. O(size), up to
+    /// the caps.
+    pub(in crate::compare) fn read(document: &Document<'_>, tolerance: f64) -> Result<Self, Fault> {
         let css = root::style_sheets(document)?;
         let short = |selector: &str| selector.chars().take(60).collect::<String>();
         match untold(&css) {
@@ -266,7 +273,11 @@ impl Drawing {
         }
         reader.element(root, &around, 0)?;
         if !kit {
-            stamps::read(&mut reader.out, &reader.shapes);
+            let curved = stamps::read(&mut reader.out, &reader.shapes, tolerance);
+            if let Some(count) = reader.ignored.get_mut(shapes::CURVES) {
+                *count = count.saturating_sub(curved);
+            }
+            reader.ignored.retain(|_, count| *count > 0);
         }
         for (name, count) in animations.notes {
             reader.ignored.insert(format!("<{name}>"), count);

@@ -5,18 +5,28 @@
 //!   │ a ├────────┤ b │
 //!   └───┘        └───┘
 //! ```
+//!
+//! At a square it may stop at the circle through the corners, exactly there: so much room some programs leave round a node,
+//! whatever its shape.
 
 use super::heads::{Heads, Inked};
+use super::slack::Slack;
 use super::{Drawing, Line};
 use crate::compare::ends::Loose;
 use crate::compare::painting::Shape;
 use crate::compare::pairing::distance;
 use crate::plane::Point;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
-/// How near to its rim a line ends, and how far aside of its middle it may point, as parts of the drawing.
-const NEAR: f64 = 1e-3;
-const ASIDE: f64 = 4e-4;
+/// How far aside of its middle a line may point, in tolerances.
+const ASIDE: f64 = 4.8;
+/// How far from the circle through the corners of a square a line may stop, in tolerances.
+const ROUND: f64 = 2.0;
+/// A box is a square if it is no more than so many times as long as wide.
+const SQUARE: f64 = 1.03;
+/// What an arrow that is an area gets at a box is as wide as this part of that.
+const HAIR: f64 = 0.02;
 /// Boxes looked at for all ends; what takes more stays as it is.
 const WORK: usize = 20_000_000;
 
@@ -54,6 +64,17 @@ impl Frame {
         off[0].max(off[1])
     }
 
+    /// Whether something ends here that may be so far beyond the rim, or, at a square, so far from the circle through its
+    /// corners.
+    fn stops(&self, p: Point, more: f64, slack: f64) -> bool {
+        self.beyond(p) <= more || self.is_square() && (distance(p, self.middle) - self.reach()).abs() <= slack
+    }
+
+    fn is_square(&self) -> bool {
+        let [long, wide] = self.halves.map(|half| half.x.hypot(half.y));
+        long.max(wide) <= SQUARE * long.min(wide)
+    }
+
     /// How far the corners are from the middle.
     pub(super) fn reach(&self) -> f64 {
         let [a, b] = self.halves;
@@ -81,13 +102,13 @@ pub(super) struct Aimed {
     pub(super) are_most: bool,
 }
 
-/// Finds the ends of lines at the rims of boxes, which are given with their shapes, in a drawing of this size. `is_reached`
+/// Finds the ends of lines at the rims of boxes, which are given with their shapes, up to this slack. `is_reached`
 /// says which points are at other vertices. O(n log n), up to a cap.
 pub(super) fn aimed(
     drawing: &Drawing,
     boxes: &BTreeMap<u32, Frame>,
     heads: &Heads,
-    size: f64,
+    slack: Slack,
     is_reached: impl Fn(Point) -> bool,
 ) -> Aimed {
     let mut out = Aimed { ends: BTreeMap::new(), are_most: false };
@@ -101,7 +122,7 @@ pub(super) fn aimed(
     let lines: Vec<(usize, &Line)> = drawing.lines.iter().enumerate().filter(is_line).collect();
     let mut loose = Loose::default();
     lines.iter().for_each(|(_, line)| loose.add(line.ends));
-    let cell = boxes.values().map(Frame::reach).fold(NEAR * size, f64::max);
+    let cell = boxes.values().map(Frame::reach).fold(slack.near(), f64::max);
     let place = |p: Point| ((p.x / cell).floor() as i64, (p.y / cell).floor() as i64);
     let mut cells: BTreeMap<(i64, i64), Vec<(u32, Frame)>> = BTreeMap::new();
     boxes.iter().for_each(|(shape, frame)| cells.entry(place(frame.middle)).or_default().push((*shape, *frame)));
@@ -123,8 +144,11 @@ pub(super) fn aimed(
                 if looked > WORK {
                     return Aimed { ends: BTreeMap::new(), are_most: false };
                 }
-                let reach = frame.rim + line.half + NEAR * size;
-                if frame.beyond(tip) <= reach && frame.beyond(other) > reach && points_at([other, own], frame, size) {
+                let reach = frame.rim + line.half + slack.near();
+                if frame.stops(tip, reach, ROUND * slack.tolerance)
+                    && frame.beyond(other) > reach
+                    && points_at([other, own], frame, ASIDE * slack.tolerance)
+                {
                     (at, count) = (Some(*shape), count + usize::from(at != Some(*shape)));
                 }
             }
@@ -139,16 +163,17 @@ pub(super) fn aimed(
     out
 }
 
-/// Whether a line from one point to another goes on to the middle of a box.
-fn points_at([from, to]: [Point; 2], frame: &Frame, size: f64) -> bool {
+/// Whether a line from one point to another goes on to the middle of a box, or no farther aside of it than this.
+fn points_at([from, to]: [Point; 2], frame: &Frame, aside: f64) -> bool {
     let long = distance(from, to);
     let way = Point::new((to.x - from.x) / long, (to.y - from.y) / long);
     let rest = Point::new(frame.middle.x - to.x, frame.middle.y - to.y);
-    rest.x * way.x + rest.y * way.y > 0.0 && (rest.x * way.y - rest.y * way.x).abs() <= ASIDE * size
+    rest.x * way.x + rest.y * way.y > 0.0 && (rest.x * way.y - rest.y * way.x).abs() <= aside
 }
 
-/// Lets lines end in the middles of boxes, and their ink at the circles that stand for these.
-pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inked: &Inked) {
+/// Lets lines end in the middles of boxes, and their ink at the circles that stand for these. `coats` says what each shape
+/// painted.
+pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inked: &Inked, coats: &[Range<u32>]) {
     for ((number, end), frame) in ends {
         drawing.lines[*number].ends[*end] = frame.middle;
         let before = inked.ends(*number);
@@ -156,11 +181,23 @@ pub(super) fn join(drawing: &mut Drawing, ends: &[((usize, usize), Frame)], inke
         let part = frame.radius() / distance(other, frame.middle);
         let towards = |p: f64, q: f64| q + part * (p - q);
         let rim = Point::new(towards(other.x, frame.middle.x), towards(other.y, frame.middle.y));
-        let coat = inked.coat(*number).map(|coat| &mut drawing.painting.coats[coat as usize].shape);
-        if let Some(Shape::Stroke(ends, _)) = coat
-            && distance(other, rim) > distance(other, before[*end])
-        {
-            ends[*end] = rim;
+        let first = coats[drawing.lines[*number].shape as usize].start;
+        let bar = drawing.bars.binary_search(&first).is_ok().then_some(first);
+        let Some(coat) = inked.coat(*number).or(bar) else { continue };
+        if distance(other, rim) <= distance(other, before[*end]) {
+            continue;
+        }
+        match &mut drawing.painting.coats[coat as usize].shape {
+            Shape::Stroke(ends, _) => ends[*end] = rim,
+            Shape::Area(area) => *area = area.with(&strip([before[*end], rim], HAIR * frame.radius())),
+            Shape::Disc(_) => {}
         }
     }
+}
+
+/// The corners of a strip along a way, of this half width.
+fn strip([a, b]: [Point; 2], half: f64) -> Vec<Point> {
+    let part = half / distance(a, b);
+    let off = Point::new(-part * (b.y - a.y), part * (b.x - a.x));
+    [(a, 1.0), (b, 1.0), (b, -1.0), (a, -1.0)].map(|(p, s)| Point::new(p.x + s * off.x, p.y + s * off.y)).to_vec()
 }

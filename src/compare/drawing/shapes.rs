@@ -33,6 +33,9 @@ const SHARP: f64 = 1e-4;
 /// A pattern that covers less than this leaves most of its area open.
 const SPARSE: f64 = 0.5;
 
+/// What is said of curves.
+pub(super) const CURVES: &str = "curves (edges are straight)";
+
 impl<'a, 'i> Reader<'a, 'i> {
     /// Reads any element that paints.
     pub(super) fn shape(&mut self, node: Node<'_, '_>, name: &str, around: &Around, depth: usize) -> Result<(), Fault> {
@@ -241,7 +244,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             from = to;
         }
         if curves {
-            self.ignore("curves (edges are straight)");
+            self.ignore(CURVES);
         }
     }
 

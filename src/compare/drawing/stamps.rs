@@ -11,8 +11,10 @@
 //! Each becomes a dot where it stands, as large as a circle in it, or of its area if it is no square. Only stamps of the
 //! size of most others at ends of lines count, those elsewhere that look like them, and none where a circle is drawn.
 
+use super::arrows;
 use super::heads::{Heads, Inked};
 use super::rims::{self, Frame};
+use super::slack::Slack;
 use super::{Dot, Drawing, Line};
 use crate::compare::eye::{FAINT, contrast};
 use crate::compare::painting::{Area, Coat, Disc, Part, Shape};
@@ -27,8 +29,6 @@ use std::ops::Range;
 const SMALL: f64 = 0.08;
 /// How well its sides fit, as a part of its size.
 const FIT: f64 = 0.03;
-/// How near to the end of a line its middle lies, as a part of the drawing.
-const NEAR: f64 = 1e-4;
 
 /// Corners of a figure that is no square: at least, and at most.
 const CORNERS: [usize; 2] = [3, 12];
@@ -83,28 +83,34 @@ struct Placed {
     is_hollow: bool,
 }
 
-/// Turns the stamps at the ends of lines into dots, and takes off heads of arrows. `coats` says what each shape painted.
-/// O(n log n).
-pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>]) {
-    let (heads, inked) = (Heads::of(drawing), Inked::of(drawing));
-    let stamps = dots(drawing, coats, &heads, &inked);
-    let mut gone = heads.take_off(drawing, coats, &stamps, &inked).into_iter();
+/// Turns the stamps at the ends of lines into dots, and takes off heads of arrows. `coats` says what each shape painted,
+/// `tolerance` how far points may be from their places, as a part of the drawing. Returns how many curves
+/// were read as lines. O(n log n).
+pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>], tolerance: f64) -> usize {
+    let slack = |drawing: &Drawing| Slack::new(span(&drawing.points().collect::<Vec<Point>>()), tolerance);
+    let curved = arrows::read(drawing, coats, tolerance);
+    let before = slack(drawing);
+    let (heads, inked) = (Heads::of(drawing, before), Inked::of(drawing));
+    let stamps = dots(drawing, coats, &heads, &inked, before);
+    let after = slack(drawing);
+    let mut gone = heads.take_off(drawing, coats, &stamps, &inked, after).into_iter();
     let stays = |shape: u32| stamps.binary_search(&shape).is_err();
     drawing.lines.retain(|line| gone.next() != Some(true) && stays(line.shape));
     drawing.outlines.retain(|outline| stays(outline.shape));
+    curved
 }
 
 /// Turns the stamps at the ends of lines into dots, and returns their shapes, sorted.
-fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads, inked: &Inked) -> Vec<u32> {
-    let size = span(&drawing.points().collect::<Vec<Point>>());
+fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads, inked: &Inked, slack: Slack) -> Vec<u32> {
+    let size = slack.size;
     let found = stamps(drawing, size);
     if found.is_empty() {
         return Vec::new();
     }
-    let reach = NEAR * size;
+    let reach = slack.at();
     let dots = Places::thinned(drawing.dots.iter().map(|dot| dot.at), reach);
     let boxes: BTreeMap<u32, Frame> = found.iter().filter_map(|stamp| Some((stamp.shape, stamp.frame?))).collect();
-    let aimed = rims::aimed(drawing, &boxes, heads, size, |p| dots.near(p, reach).is_some());
+    let aimed = rims::aimed(drawing, &boxes, heads, slack, |p| dots.near(p, reach).is_some());
     // A line that ends at a corner may be an edge of a face there.
     let is_held = |frame: &Frame, (line, end): (usize, usize)| {
         frame.corners().iter().all(|&corner| distance(corner, drawing.lines[line].ends[end]) > reach)
@@ -149,7 +155,7 @@ fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads, inked: &Inke
         let frame = boxes.get(shape)?;
         Some(aimed.ends.get(shape)?.iter().map(|&end| (end, *frame)))
     };
-    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>(), inked);
+    rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>(), inked, coats);
     for stamp in vertices {
         repaint(drawing, &stamp, coats[stamp.shape as usize].clone());
         drawing.dots.push(Dot {

@@ -283,6 +283,41 @@ fn thin_lines_of_decoration_over_an_arrow_hide_nothing_of_it() {
     }
 }
 
+/// A line along a whole arrow: what it covers is hidden, whatever its colour, and a rim on both sides shows what is there.
+#[test]
+fn decoration_along_a_whole_arrow_leaves_a_rim_of_it_or_hides_it() {
+    let whole = reference();
+    let lines: Vec<String> = whole.lines().map(str::to_owned).collect();
+    for name in ["h0", "h7", "h20"] {
+        let [[a, b], [c, d]] = ends(&lines, name);
+        let along = |style: &str| {
+            format!("<line class=\"leader\" x1=\"{a}\" y1=\"{b}\" x2=\"{c}\" y2=\"{d}\" style=\"{style}\"/>")
+        };
+        let over = |style: &str| whole.replacen("</svg>", &format!("{}</svg>", along(style)), 1);
+        let under = |style: &str| {
+            let first = whole.find("<g class=\"he\"").unwrap();
+            format!("{}{}{}", &whole[..first], along(style), &whole[first..])
+        };
+        for colour in ["#ffd54a", "#ff9", "#fff", "#f00", "#7a5a00"] {
+            let style =
+                |width: f64, opacity: f64| format!("stroke:{colour};stroke-width:{width};stroke-opacity:{opacity}");
+            // The arrow is 2 px wide.
+            let shown =
+                [over(&style(0.8, 1.0)), over(&style(1.4, 1.0)), over(&style(3.0, 0.4)), over(&style(9.0, 0.4))];
+            for svg in shown.into_iter().chain([1.0, 3.0, 9.0].map(|width| under(&style(width, 1.0)))) {
+                let answer = judge(&whole, &svg);
+                assert!(answer.is_equal(), "{name} {colour}: {}", answer.text());
+            }
+            for width in [2.0, 2.6, 3.0, 9.0] {
+                says(&over(&style(width, 1.0)), &format!("half-edge is declared and cannot be seen: {name}"));
+            }
+        }
+        // Drawn once more in its own colour, it is what it was.
+        let answer = judge(&whole, &over("stroke:#b5420a;stroke-width:2.6"));
+        assert!(answer.is_equal(), "{name}: {}", answer.text());
+    }
+}
+
 /// Each stroke could be a part of the head that each other one begins, and each head could be that of each copy of the line.
 #[test]
 fn a_half_edge_of_many_strokes_ends_quickly() {

@@ -2,6 +2,7 @@
 
 use super::judge;
 use super::shown::{CORNERS, EDGES, P, circle, drawn, line, same, says, square, with};
+use dcel_kit::compare::{Options, compare};
 
 const STROKE: &str = "stroke=\"black\" fill=\"none\" stroke-width=\"1\"";
 
@@ -92,6 +93,21 @@ fn an_arrow_that_does_not_reach_its_vertex_is_told() {
     // Without circles, lines are all there is.
     let bare = drawn(|_, ends| PLAIN.arrow(ends), |_| String::new(), "");
     assert!(!judge(&with(""), &bare).is_equal());
+}
+
+/// How near a tip is to its vertex follows the tolerance.
+#[test]
+fn heads_follow_the_tolerance() {
+    let equal = |svg: &str, px: f64| {
+        compare(&with(""), svg, &Options::new().tolerance(px)).unwrap_or_else(|error| panic!("{error}")).is_equal()
+    };
+    for filled in [false, true] {
+        let arrows = |room: f64| {
+            drawn(|_, ends| Style { room, filled, both: true, ..PLAIN }.arrow(ends), |p| circle(p, 5.5), "")
+        };
+        assert!(equal(&arrows(5.0), 0.05) && !equal(&arrows(8.0), 0.05), "{filled}");
+        assert!(equal(&arrows(8.0), 2.0) && !equal(&arrows(16.0), 2.0), "{filled}");
+    }
 }
 
 #[test]

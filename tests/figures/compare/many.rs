@@ -24,6 +24,7 @@ fn many_of_a_kind_end_quickly() {
         let ring = format!("d=\"M{x} {y}h1v1z\"");
         format!("<path {ring}/><path fill=\"none\" stroke=\"white\" {ring}/>")
     };
+    let circle = |x: f64, y: f64| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\".4\"/>");
     let holes: String = (0..COUNT).map(|i| format!("L{i} 9L{i} 20L{i}.5 20L{i}.5 9L{i} 9")).collect();
     let kinds = [
         ("boxes", page(|_, x, y| square(x, y, 1.0) + &line(x + 1.0, y + 0.5, x + 2.0, y + 0.5))),
@@ -43,6 +44,13 @@ fn many_of_a_kind_end_quickly() {
             page(|i, _, _| if i == 0 { format!("<path fill=\"red\" d=\"M0 0{holes}z\"/>") } else { String::new() }),
         ),
         ("halos", page(|_, x, y| halo(x, y))),
+        (
+            "arrows",
+            page(|_, x, y| {
+                let ends = circle(x, y + 1.0) + &circle(x + 3.0, y + 1.0);
+                ends + &format!("<path d=\"M{x} {}L{} {}L{x} {}z\"/>", y + 0.6, x + 3.0, y + 1.0, y + 1.4)
+            }),
+        ),
     ];
     for (name, svg) in kinds {
         let started = ThreadTime::now();

@@ -18,6 +18,7 @@ mod moving;
 mod names;
 mod nodes;
 mod numbered;
+mod outlined;
 mod pen;
 mod rewrites;
 mod seen;

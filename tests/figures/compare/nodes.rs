@@ -2,6 +2,7 @@
 
 use super::judge;
 use super::shown::{CORNERS, EDGES, P, drawn, line, same, says, square, with};
+use dcel_kit::compare::{Options, compare};
 
 const STROKE: &str = "stroke=\"#333\" stroke-width=\"1.5\"";
 
@@ -74,6 +75,74 @@ fn boxes_round_labels_are_vertices_where_lines_end_at_them() {
         let less = |i: usize, ends: [P; 2]| if i == 4 { String::new() } else { between(ends, size, 0.0) };
         says(&drawn(less, node(size), ""), "edge between (550, 350) and (450, 250) is missing");
     }
+}
+
+/// As programs do that leave the same room at nodes of every shape.
+#[test]
+fn a_line_that_stops_at_the_circle_through_the_corners_of_a_square_ends_at_its_vertex() {
+    let short = |ends: [P; 2], room: f64| {
+        let [[a, b], [c, d]] = ends;
+        let part = room / f64::hypot(c - a, d - b);
+        [[a + part * (c - a), b + part * (d - b)], [c - part * (c - a), d - part * (d - b)]]
+    };
+    for style in ["", "fill=\"none\" stroke=\"black\"", "fill=\"#1f78b4\" stroke=\"#1f78b4\""] {
+        for side in [8.0, 17.3, 30.0] {
+            let room = side * f64::sqrt(0.5);
+            let lines = |room: f64, last: &str| {
+                drawn(|_, ends| line(short(ends, room), STROKE), |p| square(p, side, style), last)
+            };
+            same(&lines(room, ""));
+            let extra = line(short([CORNERS[0], CORNERS[2]], room), STROKE);
+            says(&lines(room, &extra), "edge between (50, 350) and (550, 50) is not in the reference");
+            // Between the rims and that circle, and beyond it, by all lines or by one end.
+            for other in [room - 0.4, room + 3.0] {
+                // A small square has no room between them.
+                assert!(
+                    side < 10.0 && other < room || !judge(&with(""), &lines(other, "")).is_equal(),
+                    "{side} {style}"
+                );
+            }
+            let whole = line(short([CORNERS[0], CORNERS[1]], room), STROKE);
+            let less = whole.replacen(&format!("x2=\"{}\"", 550.0 - room), &format!("x2=\"{}\"", 547.0 - room), 1);
+            assert_ne!(whole, less);
+            assert!(!judge(&with(""), &lines(room, "").replacen(&whole, &less, 1)).is_equal(), "{side} {style}");
+        }
+    }
+    // Boxes that are no squares have rims only.
+    let wide = |[x, y]: P| {
+        format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"40\" height=\"26\" fill=\"none\" stroke=\"black\"/>",
+            x - 20.0,
+            y - 13.0
+        )
+    };
+    assert!(!judge(&with(""), &drawn(|_, ends| line(short(ends, 23.8), STROKE), wide, "")).is_equal());
+}
+
+/// How near lines end to boxes, and how well they point to their middles, follows the tolerance.
+#[test]
+fn boxes_follow_the_tolerance() {
+    let size = [54.0, 36.0];
+    let node = |[x, y]: P| {
+        let [left, top] = [x - 0.5 * size[0], y - 0.5 * size[1]];
+        format!("<rect x=\"{left}\" y=\"{top}\" width=\"54\" height=\"36\" fill=\"none\" stroke=\"black\"/>")
+    };
+    let equal = |svg: &str, px: f64| {
+        compare(&with(""), svg, &Options::new().tolerance(px)).unwrap_or_else(|error| panic!("{error}")).is_equal()
+    };
+    let gap = |more: f64| drawn(|_, ends| between(ends, size, more), node, "");
+    // The lines stop short of the rims.
+    assert!(equal(&gap(0.5), 0.05) && !equal(&gap(2.5), 0.05) && equal(&gap(2.5), 1.0) && !equal(&gap(9.0), 1.0));
+    // They point beside the middles.
+    let aside = |by: f64| {
+        let edge = |_: usize, ends: [P; 2]| {
+            let [a, b] = [rim(ends[0], ends[1], size, 0.0), rim(ends[1], ends[0], size, 0.0)];
+            line([[a[0], a[1] + by], [b[0], b[1] + by]], STROKE)
+        };
+        drawn(edge, node, "")
+    };
+    assert!(equal(&aside(0.1), 0.05) && !equal(&aside(0.1), 0.01));
+    assert!(!equal(&aside(1.2), 0.05) && equal(&aside(1.2), 0.5) && !equal(&aside(6.0), 0.5));
 }
 
 /// As Graphviz draws them: edges as curves, nodes as closed polygons.
