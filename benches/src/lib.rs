@@ -1,6 +1,7 @@
 //! Shared by the benchmarks: inputs, and measuring several programs against each other in one run.
 
 mod inputs;
+pub mod maps;
 
 use cpu_time::ProcessTime;
 use std::hint::black_box;

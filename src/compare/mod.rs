@@ -422,19 +422,20 @@ fn layer(differences: &[Difference], otherwise: Layer) -> Layer {
 
 /// What both layers say, each thing once.
 fn merged(declared: Vec<Difference>, seen: Seen, notes: &mut Vec<String>) -> (Layer, Vec<Difference>) {
-    let mut differences = declared.clone();
-    let deciding = match (differences.is_empty(), seen.differences.is_empty()) {
+    let deciding = match (declared.is_empty(), seen.differences.is_empty()) {
         (true, false) => {
             notes.push("what the file declares (data-*) agrees with the reference; what it draws does not".to_owned());
             layer(&seen.differences, Layer::Drawn)
         }
         (false, true) => {
             notes.push("what the file draws agrees with the reference; what it declares (data-*) does not".to_owned());
-            layer(&differences, Layer::Declared)
+            layer(&declared, Layer::Declared)
         }
-        _ => layer(&differences, Layer::Declared),
+        _ => layer(&declared, Layer::Declared),
     };
-    differences.extend(untold(&declared, seen.differences));
+    let more: Vec<Difference> = untold(&declared, seen.differences).collect();
+    let mut differences = declared;
+    differences.extend(more);
     differences.sort_by_key(|difference| difference.kind);
     (deciding, differences)
 }

@@ -18,7 +18,7 @@ mod shapes;
 mod surfaces;
 
 use cpu_time::ProcessTime;
-use native::NATIVE;
+use native::{NATIVE, OURS};
 use rows::{ROWS, Row};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
@@ -147,7 +147,10 @@ fn runners(row: &Row) -> Result<Vec<Runner>, String> {
     }
     for native in NATIVE.iter().filter(|native| native.row == row.name) {
         match native.command() {
-            Ok(command) => all.push(Runner { name: native.name, version: native.version(), peer: true, command }),
+            Ok(command) => {
+                let peer = native.name != OURS;
+                all.push(Runner { name: native.name, version: native.version(), peer, command });
+            }
             Err(_) => println!("  {:40} absent", native.name),
         }
     }
@@ -174,6 +177,9 @@ fn table(rows: &[&Row], rounds: usize, record: bool) -> Result<ExitCode, String>
     for row in rows {
         println!("{}", row.name);
         let mut runners = runners(row)?;
+        if runners.is_empty() {
+            continue;
+        }
         // Programs and ways to run take turns, so that what else the machine does meets all of them.
         let mut times = vec![[const { Vec::new() }; 2]; runners.len()];
         for _ in 0..rounds {

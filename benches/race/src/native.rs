@@ -1,10 +1,11 @@
-//! Peers in C++: programs of the folder `peers`, compiled where a compiler and the library are installed.
+//! Programs that are built for themselves: peers in C++, of the folder `peers`, where a compiler and the library are
+//! installed; and those of navmeshes, of the package above, because a peer there keeps earcut at an old release.
 
 use crate::{rows, segments, surfaces};
 use std::path::PathBuf;
 use std::process::Command;
 
-/// One who does what a row says, in C++.
+/// One who does what a row says, in a program of its own.
 pub struct Native {
     pub row: &'static str,
     pub name: &'static str,
@@ -23,6 +24,13 @@ const LIBRARIES: [(&str, &[&str]); 5] = [
     ("opensubdiv", &["-losdCPU"]),
     ("qhull", &["-lqhull_r"]),
 ];
+
+/// What the kit is called.
+pub const OURS: &str = "dcel-kit";
+/// The program of ways over navmeshes.
+const WAYS: &str = "ways";
+/// Its package.
+const ABOVE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// All of them.
 pub const NATIVE: &[Native] = &[
@@ -50,6 +58,16 @@ pub const NATIVE: &[Native] = &[
     native("hull in space, ball", "CGAL", "cgal", "hull in space", || flat(&rows::ball(1_000_000))),
     native("hull in space, sphere", "qhull", "qhull", "hull", || flat(&rows::sphere(100_000))),
     native("hull in space, sphere", "CGAL", "cgal", "hull in space", || flat(&rows::sphere(100_000))),
+    native("ways, caves", OURS, WAYS, "dcel-kit exact caves", Vec::new),
+    native("ways, caves", "polyanya", WAYS, "polyanya exact caves", Vec::new),
+    native("ways, caves", "polyanya, merged", WAYS, "merged exact caves", Vec::new),
+    native("places, caves", OURS, WAYS, "dcel-kit locate caves", Vec::new),
+    native("places, caves", "polyanya", WAYS, "polyanya locate caves", Vec::new),
+    native("ways, blocks", OURS, WAYS, "dcel-kit exact blocks", Vec::new),
+    native("ways, blocks", "polyanya", WAYS, "polyanya exact blocks", Vec::new),
+    native("ways, blocks", "polyanya, merged", WAYS, "merged exact blocks", Vec::new),
+    native("places, blocks", OURS, WAYS, "dcel-kit locate blocks", Vec::new),
+    native("places, blocks", "polyanya", WAYS, "polyanya locate blocks", Vec::new),
 ];
 
 const fn native(
@@ -83,19 +101,38 @@ fn shapes(both: &[Vec<crate::shapes::Ring>; 2]) -> Vec<f64> {
 }
 
 impl Native {
-    /// Its release, which its program tells.
+    /// Its release, which its program tells; none of ours.
     pub fn version(&self) -> String {
-        let told = Command::new(kept().join(self.library)).arg("version").output();
+        if self.name == OURS {
+            return String::new();
+        }
+        let told = Command::new(self.program()).arg("version").output();
         told.map(|told| String::from_utf8_lossy(&told.stdout).trim().to_owned()).unwrap_or_default()
+    }
+
+    /// Where its program lies, once it is built.
+    fn program(&self) -> PathBuf {
+        match self.library {
+            WAYS => [ABOVE, "target", "release", WAYS].iter().collect(),
+            library => kept().join(library),
+        }
     }
 
     /// How to run it; why not, if it cannot be run here.
     pub fn command(&self) -> Result<Command, String> {
+        let program = self.program();
+        let mut command = Command::new(&program);
+        command.arg(self.task);
+        if self.library == WAYS {
+            let mut build = Command::new(std::env::var("CARGO").unwrap_or_else(|_| "cargo".into()));
+            build.args(["build", "--quiet", "--locked", "--release", "--bin", WAYS]).current_dir(ABOVE);
+            let done = build.args(["--target-dir", "target"]).output().map_err(|e| e.to_string())?;
+            return if done.status.success() { Ok(command) } else { Err("it does not compile".to_owned()) };
+        }
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/peers");
         let (_, libraries) = LIBRARIES.iter().find(|(name, _)| *name == self.library).expect("a known library");
         let kept = kept();
         std::fs::create_dir_all(&kept).map_err(|e| format!("{}: {e}", kept.display()))?;
-        let program = kept.join(self.library);
         if !program.exists() {
             let source = PathBuf::from(folder).join(format!("{}.cpp", self.library));
             let compiler = std::env::var("CXX").unwrap_or_else(|_| "c++".into());
@@ -112,8 +149,7 @@ impl Native {
             let bytes: Vec<u8> = (self.input)().into_iter().flat_map(f64::to_ne_bytes).collect();
             std::fs::write(&input, bytes).map_err(|e| format!("{}: {e}", input.display()))?;
         }
-        let mut command = Command::new(program);
-        command.arg(self.task).arg(input);
+        command.arg(input);
         Ok(command)
     }
 }

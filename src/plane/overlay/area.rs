@@ -165,7 +165,7 @@ fn add_ring(twice: &mut Expansion, corners: &[Corner]) {
         let ((before, _), (p, d), (q, e)) = (corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count]);
         twice.add_product(p.x, q.y);
         twice.add_product(-p.y, q.x);
-        if d != [0.0; 2] {
+        if d.iter().any(|part| part.abs() > 0.0) {
             let across = [q.x - before.x + e[0], q.y - before.y + e[1]];
             twice.add_product(d[0], across[1]);
             twice.add_product(-d[1], across[0]);
