@@ -73,7 +73,8 @@ impl<'a> Spots<'a> {
             if met.is_some() {
                 break;
             }
-            self.walked.insert(h, walk);
+            let before = self.walked.insert(h, walk);
+            debug_assert_eq!(before, None, "{h} is walked twice");
             corners.extend(self.placed.ends(h).map(|ends| self.placed.graph.point(ends[0])));
             at = table.next(h);
         }
@@ -91,4 +92,36 @@ impl<'a> Spots<'a> {
 pub(super) fn all(spots: impl Iterator<Item = Spot>) -> Spot {
     let spots: Vec<Spot> = spots.filter(|spot| *spot != Spot::Nowhere).collect();
     if spots.is_empty() { Spot::Nowhere } else { Spot::all(spots) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::Subdivision;
+    use crate::topology::{FaceRow, Table};
+
+    #[test]
+    fn faces_on_one_cycle_lie_at_one_place_and_it_is_walked_once() {
+        let at = |i: u32| (std::f64::consts::TAU * f64::from(i) / 100.0).sin_cos();
+        let points: Vec<Point> = (0..100).map(at).map(|(y, x)| Point::new(x, y)).collect();
+        let polygon = Subdivision::polygon(&points).unwrap();
+        let mut table = Table::from_view(&polygon);
+        for (row, p) in table.vertices.iter_mut().flatten().zip(&points) {
+            row.position = Some([p.x, p.y]);
+        }
+        let f1 = FaceId::new(1);
+        for h in polygon.cycle(polygon.half_edge(f1).unwrap()) {
+            table.faces.push(Some(FaceRow { half_edge: Some(h), ..FaceRow::default() }));
+        }
+        let placed = Placed::new(&table);
+        let mut spots = Spots::new(&placed);
+        let spot = spots.of(Element::Face(f1));
+        let Spot::At(inside) = spot else { panic!("{spot:?}") };
+        assert!(inside.x.hypot(inside.y) < 0.99, "{inside}");
+        for f in 2..102 {
+            assert_eq!(spots.of(Element::Face(FaceId::new(f))), spot, "f{f}");
+        }
+        assert_eq!((spots.walked.len(), spots.inside.len()), (100, 101));
+        assert_eq!(spots.of(Element::Face(FaceId::new(0))), Spot::Nowhere);
+    }
 }
