@@ -1,4 +1,4 @@
-//! The memory layout, known to this file alone.
+//! The memory layout, known to this file and to `pen.rs` alone.
 //!
 //! ```text
 //!              h0   h1   h2   h3  ...        four plain columns of u32, 16 bytes a half-edge;
@@ -11,14 +11,12 @@
 //! A word with the top bit set is not an id: `NONE` is a pointer to nothing, any other such word stands in
 //! the record of a removed element and holds the next free slot (see `pool.rs`).
 
-use super::record::{Change, Recorder, Slot};
+pub(super) use super::pen::{NONE, TAG};
+use super::pen::{Pen, element, target};
+use super::record::{Recorder, Slot};
 use super::view::Words;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 
-/// No target.
-pub(super) const NONE: u32 = u32::MAX;
-/// Marks a word that is not an id.
-pub(super) const TAG: u32 = 1 << 31;
 /// Ends a free list.
 pub(super) const FREE_END: u32 = 0x7fff_fffe;
 
@@ -101,11 +99,6 @@ impl Default for Dcel {
     }
 }
 
-#[inline]
-fn target(word: u32) -> Option<u32> {
-    (word & TAG == 0).then_some(word)
-}
-
 /// Whether the word of a vertex or face is not the link of a removed one: an id, or `NONE`.
 #[inline]
 fn is_live(word: u32) -> bool {
@@ -119,6 +112,19 @@ macro_rules! optional_pointers {
             #[inline]
             pub(crate) fn $name(&self, from: $from) -> Option<$to> {
                 self.$column.get(from.index()).copied().and_then(target).map($to)
+            }
+        )*
+    };
+}
+
+/// The setters of a pen that is used once.
+macro_rules! recorded_setters {
+    ($($(#[$doc:meta])* $name:ident($from:ident: $from_type:ty, $to:ident: $to_type:ty);)*) => {
+        $(
+            $(#[$doc])*
+            #[inline]
+            pub(crate) fn $name(&mut self, $from: $from_type, $to: $to_type, rec: &mut impl Recorder) {
+                self.pen().$name($from, $to, rec);
             }
         )*
     };
@@ -376,11 +382,12 @@ impl Dcel {
         VertexId(self.outgoing.len() as u32 - 1)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn push_edge(&mut self) -> EdgeId {
         for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
-            // Stays in line, however many edits add edges; `extend` of an array does not.
-            column.extend_from_slice(&[NONE; 2]);
+            // Each of them stays in line, however many edits add edges; `extend` does not.
+            column.push(NONE);
+            column.push(NONE);
         }
         EdgeId(self.next.len() as u32 / 2 - 1)
     }
@@ -406,17 +413,6 @@ impl Dcel {
         self.boundary.pop();
     }
 
-    fn word(&mut self, slot: Slot) -> &mut u32 {
-        match slot {
-            Slot::Origin(h) => &mut self.origin[h.index()],
-            Slot::Next(h) => &mut self.next[h.index()],
-            Slot::Prev(h) => &mut self.prev[h.index()],
-            Slot::Face(h) => &mut self.face[h.index()],
-            Slot::Outgoing(v) => &mut self.outgoing[v.index()],
-            Slot::HalfEdge(f) => &mut self.boundary[f.index()],
-        }
-    }
-
     /// Whether the record is in use: not removed, though none of its pointers may be set yet.
     pub(super) fn has_record(&self, element: Element) -> bool {
         let live = |column: &[u32], i: usize| column.get(i).is_some_and(|&word| is_live(word));
@@ -430,20 +426,20 @@ impl Dcel {
 
     /// Where a pointer leads; `None` if it is not set, or its record is dead.
     pub(super) fn raw(&self, slot: Slot) -> Option<Element> {
-        let word = |column: &[u32], i: usize| column.get(i).copied().and_then(target);
-        match slot {
-            Slot::Origin(h) => word(&self.origin, h.index()).map(|i| VertexId(i).into()),
-            Slot::Next(h) => word(&self.next, h.index()).map(|i| HalfEdgeId(i).into()),
-            Slot::Prev(h) => word(&self.prev, h.index()).map(|i| HalfEdgeId(i).into()),
-            Slot::Face(h) => word(&self.face, h.index()).map(|i| FaceId(i).into()),
-            Slot::Outgoing(v) => word(&self.outgoing, v.index()).map(|i| HalfEdgeId(i).into()),
-            Slot::HalfEdge(f) => word(&self.boundary, f.index()).map(|i| HalfEdgeId(i).into()),
-        }
+        let (column, index) = match slot {
+            Slot::Origin(h) => (&self.origin, h.index()),
+            Slot::Next(h) => (&self.next, h.index()),
+            Slot::Prev(h) => (&self.prev, h.index()),
+            Slot::Face(h) => (&self.face, h.index()),
+            Slot::Outgoing(v) => (&self.outgoing, v.index()),
+            Slot::HalfEdge(f) => (&self.boundary, f.index()),
+        };
+        column.get(index).and_then(|&word| element(slot, word))
     }
 
     /// Writes a pointer without recording it.
     pub(super) fn put(&mut self, slot: Slot, to: Option<Element>) {
-        *self.word(slot) = to.map_or(NONE, |element| match element {
+        *self.pen().word(slot) = to.map_or(NONE, |element| match element {
             Element::Vertex(VertexId(i))
             | Element::HalfEdge(HalfEdgeId(i))
             | Element::Edge(EdgeId(i))
@@ -451,54 +447,34 @@ impl Dcel {
         });
     }
 
+    /// The columns, to be written while no record comes or goes.
     #[inline(always)]
-    fn write(&mut self, slot: Slot, word: u32, rec: &mut impl Recorder) {
-        let old = std::mem::replace(self.word(slot), word);
-        let element = |word: u32| {
-            target(word).map(|i| match slot {
-                Slot::Origin(_) => Element::Vertex(VertexId(i)),
-                Slot::Face(_) => Element::Face(FaceId(i)),
-                _ => Element::HalfEdge(HalfEdgeId(i)),
-            })
-        };
-        rec.record(Change::Write { slot, old: element(old), new: element(word) });
+    pub(crate) fn pen(&mut self) -> Pen<'_> {
+        let Self { origin, next, prev, face, outgoing, boundary, .. } = self;
+        let bound = next.len();
+        Pen {
+            origin: &mut origin[..bound],
+            next,
+            prev: &mut prev[..bound],
+            face: &mut face[..bound],
+            outgoing,
+            boundary,
+        }
     }
 
-    // ---- recorded setters, for the edits --------------------------------------------------------------
+    // ---- recorded setters for edits that write little --------------------------------------------------
 
-    #[inline]
-    pub(crate) fn set_origin(&mut self, h: HalfEdgeId, v: VertexId, rec: &mut impl Recorder) {
-        self.write(Slot::Origin(h), v.0, rec);
-    }
-
-    /// Makes `g` follow `h`: the lab's `makeNext`.
-    #[inline]
-    pub(crate) fn set_next(&mut self, h: HalfEdgeId, g: HalfEdgeId, rec: &mut impl Recorder) {
-        self.write(Slot::Next(h), g.0, rec);
-        self.write(Slot::Prev(g), h.0, rec);
-    }
-
-    #[inline]
-    pub(crate) fn set_face(&mut self, h: HalfEdgeId, f: FaceId, rec: &mut impl Recorder) {
-        self.write(Slot::Face(h), f.0, rec);
-    }
-
-    #[inline]
-    pub(crate) fn set_outgoing(&mut self, v: VertexId, h: Option<HalfEdgeId>, rec: &mut impl Recorder) {
-        self.write(Slot::Outgoing(v), h.map_or(NONE, |h| h.0), rec);
-    }
-
-    #[inline]
-    pub(crate) fn set_half_edge(&mut self, f: FaceId, h: Option<HalfEdgeId>, rec: &mut impl Recorder) {
-        self.write(Slot::HalfEdge(f), h.map_or(NONE, |h| h.0), rec);
+    recorded_setters! {
+        set_origin(h: HalfEdgeId, v: VertexId);
+        /// Makes `g` follow `h`: the lab's `makeNext`.
+        set_next(h: HalfEdgeId, g: HalfEdgeId);
+        set_face(h: HalfEdgeId, f: FaceId);
+        set_outgoing(v: VertexId, h: Option<HalfEdgeId>);
+        set_half_edge(f: FaceId, h: Option<HalfEdgeId>);
     }
 
     /// Clears every pointer of both halves of `e`, before it is removed.
     pub(crate) fn clear_edge(&mut self, e: EdgeId, rec: &mut impl Recorder) {
-        for h in e.half_edges() {
-            for slot in [Slot::Origin(h), Slot::Next(h), Slot::Prev(h), Slot::Face(h)] {
-                self.write(slot, NONE, rec);
-            }
-        }
+        self.pen().clear(e.half_edges(), rec);
     }
 }

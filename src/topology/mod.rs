@@ -16,6 +16,7 @@
 // The files of this folder:
 //
 //   links.rs     the memory layout, and nothing else knows it
+//   pen.rs       the columns while an edit writes to them
 //   pool.rs      records come and go: counts, free lists, undo, compact
 //   walk.rs      round a face, round a vertex
 //   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge, flip_edge
@@ -43,6 +44,7 @@ mod measure;
 mod observe;
 mod orient;
 mod own;
+mod pen;
 mod polygons;
 mod pool;
 mod reads;

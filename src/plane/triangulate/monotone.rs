@@ -52,6 +52,9 @@ struct Sweep<'a, O> {
     /// The gap of each half-edge given that the sweep line cuts.
     gap_of: Vec<u32>,
     status: Status,
+    /// Where the present vertex is on the sweep line, once that was looked for: what opens and closes there does not
+    /// change it before all is settled.
+    found: Option<Place>,
     /// The gaps that open at the present vertex, and how many close there.
     opened: Vec<u32>,
     closed: usize,
@@ -69,7 +72,7 @@ pub(super) fn split(patch: &mut Patch, observer: &mut impl Observer<MonotoneEven
     let given = patch.given();
     let gap_of = vec![NONE; given as usize];
     let (gaps, opened) = (Vec::new(), Vec::new());
-    let mut sweep = Sweep { patch, observer, gaps, gap_of, status: Status::default(), opened, closed: 0 };
+    let mut sweep = Sweep { patch, observer, gaps, gap_of, status: Status::default(), found: None, opened, closed: 0 };
     let (mut here, mut last) = (0, 0);
     let stage = Stage::new("triangulating", events.len());
     for (number, &event) in events.iter().enumerate() {
@@ -255,26 +258,32 @@ impl<O: Observer<MonotoneEvent>> Sweep<'_, O> {
         self.closed += 1;
     }
 
-    /// Where on the sweep line the gaps begin whose floor is not below the point.
-    fn search(&self, p: Point) -> Place {
-        self.status.partition(|gap| {
-            let [a, b] = self.gaps[gap as usize].floor;
-            orientation(a, b, p).is_gt()
+    /// Where on the sweep line the gaps begin whose floor is not below the present vertex, which is at `p`.
+    fn search(&mut self, p: Point) -> Place {
+        let (status, gaps) = (&self.status, &self.gaps);
+        *self.found.get_or_insert_with(|| {
+            status.partition(|gap| {
+                let [a, b] = gaps[gap as usize].floor;
+                orientation(a, b, p).is_gt()
+            })
         })
     }
 
-    /// The gap with the point in it.
-    fn gap_around(&self, p: Point) -> Option<usize> {
-        self.status.before(self.search(p)).map(|gap| gap as usize)
+    /// The gap with the present vertex in it, which is at `p`.
+    fn gap_around(&mut self, p: Point) -> Option<usize> {
+        let place = self.search(p);
+        self.status.before(place).map(|gap| gap as usize)
     }
 
     /// Brings the sweep line up to date when all corners of a vertex are done; `h` leaves it.
     fn settle(&mut self, h: u32) -> Result<(), TriangulateError> {
         if self.closed == 0 && self.opened.is_empty() {
+            self.found = None;
             return Ok(());
         }
         let here = self.patch.point(h);
         let mut at = self.search(here);
+        self.found = None;
         while self.closed > 0 {
             // All gaps that close here follow each other.
             let closes = |&gap: &u32| self.gaps[gap as usize].below == NONE;

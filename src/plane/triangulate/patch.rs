@@ -339,10 +339,11 @@ impl Patch {
     #[inline]
     pub(super) fn add(&mut self, from: u32, to: u32, face: FaceId) -> u32 {
         let a = self.len();
-        self.links.origin.extend([from, to]);
-        self.links.face.extend([face; 2]);
-        self.links.next.extend([a, a]);
-        self.links.prev.extend([a, a]);
+        // Less work than `extend` of an array, which asks for each item whether there is room.
+        self.links.origin.extend_from_slice(&[from, to]);
+        self.links.face.extend_from_slice(&[face; 2]);
+        self.links.next.extend_from_slice(&[a; 2]);
+        self.links.prev.extend_from_slice(&[a; 2]);
         a
     }
 

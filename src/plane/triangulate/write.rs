@@ -7,7 +7,7 @@
 
 use super::Triangulated;
 use super::patch::Links;
-use crate::ids::{FaceId, HalfEdgeId};
+use crate::ids::FaceId;
 use crate::plane::{PlaneChange, PlaneRecorder, Subdivision};
 
 impl Subdivision {
@@ -19,7 +19,10 @@ impl Subdivision {
         pieces: &[u32],
         rec: &mut impl PlaneRecorder,
     ) -> Triangulated {
-        let mut added = Triangulated::default();
+        let mut added = Triangulated {
+            diagonals: Vec::with_capacity(links.diagonals()),
+            new_faces: Vec::with_capacity(pieces.len()),
+        };
         let mut ids = links.given.clone();
         ids.reserve(2 * links.diagonals());
         self.dcel.reserve(0, links.diagonals(), pieces.len());
@@ -28,7 +31,7 @@ impl Subdivision {
         for i in links.given.len()..links.next.len() {
             if ids.len() == i {
                 let edge = self.dcel.add_edge_record(rec);
-                ids.extend(edge.half_edges());
+                ids.extend_from_slice(&edge.half_edges());
                 added.diagonals.push(edge);
             }
             let v = links.vertex[links.origin[i] as usize];
@@ -39,10 +42,11 @@ impl Subdivision {
         }
 
         rec.step(2, "Insert them into the cyclic lists.");
-        for (i, &next) in links.next.iter().enumerate() {
-            let (h, next) = (ids[i], ids[next as usize]);
-            if i >= links.given.len() || self.dcel.next(h) != next {
-                self.dcel.set_next(h, next, rec);
+        let mut pen = self.dcel.pen();
+        for (i, (&h, &next)) in ids.iter().zip(&links.next).enumerate() {
+            let next = ids[next as usize];
+            if i >= links.given.len() || pen.next(h) != next {
+                pen.set_next(h, next, rec);
             }
         }
 
@@ -52,15 +56,27 @@ impl Subdivision {
             let first = ids[start as usize];
             let keeps = self.dcel.half_edge(old) == Some(first);
             let face = if keeps { old } else { self.dcel.add_face_record(rec) };
+            let mut pen = self.dcel.pen();
             if !keeps {
-                self.dcel.set_half_edge(face, Some(first), rec);
+                pen.set_half_edge(face, Some(first), rec);
                 if start as usize >= links.given.len() {
                     // It has diagonals only: who follows the changes is to see which face it comes from.
-                    self.dcel.set_face(first, old, rec);
+                    pen.set_face(first, old, rec);
                 }
                 added.new_faces.push((face, old));
             }
-            self.set_faces(start, face, links, &ids, rec);
+            // All half-edges of the piece point to its face.
+            let mut i = start;
+            loop {
+                let h = ids[i as usize];
+                if i as usize >= links.given.len() || pen.face(h) != face {
+                    pen.set_face(h, face, rec);
+                }
+                i = links.next[i as usize];
+                if i == start {
+                    break;
+                }
+            }
         }
         for &f in faces {
             let given = self.inner_components.remove(&f);
@@ -76,20 +92,5 @@ impl Subdivision {
             }
         }
         added
-    }
-
-    /// Makes the half-edges of one piece point to their face.
-    fn set_faces(&mut self, start: u32, face: FaceId, links: &Links, ids: &[HalfEdgeId], rec: &mut impl PlaneRecorder) {
-        let mut i = start;
-        loop {
-            let h = ids[i as usize];
-            if i as usize >= links.given.len() || self.dcel.face(h) != face {
-                self.dcel.set_face(h, face, rec);
-            }
-            i = links.next[i as usize];
-            if i == start {
-                return;
-            }
-        }
     }
 }

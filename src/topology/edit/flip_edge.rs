@@ -99,45 +99,46 @@ impl Dcel {
     #[inline]
     pub(crate) fn flip_edge_unchecked(&mut self, h: HalfEdgeId, rec: &mut impl Recorder) {
         let t = h.twin();
-        let (n1, p1) = (self.next(h), self.prev(h));
-        let (n2, p2) = (self.next(t), self.prev(t));
-        let (after1, after2) = (self.next(n1), self.next(n2));
-        let (f, g) = (self.face(h), self.face(t));
-        let (a, b) = (self.origin(h), self.origin(t));
-        let (c, d) = (self.destination(n1), self.destination(n2));
+        let mut pen = self.pen();
+        let (n1, p1) = (pen.next(h), pen.prev(h));
+        let (n2, p2) = (pen.next(t), pen.prev(t));
+        let (after1, after2) = (pen.next(n1), pen.next(n2));
+        let (f, g) = (pen.face(h), pen.face(t));
+        let (a, b) = (pen.origin(h), pen.origin(t));
+        let (c, d) = (pen.origin(n1.twin()), pen.origin(n2.twin()));
 
         rec.step(1, "Let no vertex and no face point to a half-edge that leaves it.");
-        if self.outgoing(a) == Some(h) {
-            self.set_outgoing(a, Some(n2), rec);
+        if pen.has_outgoing(a, h) {
+            pen.set_outgoing(a, Some(n2), rec);
         }
-        if self.outgoing(b) == Some(t) {
-            self.set_outgoing(b, Some(n1), rec);
+        if pen.has_outgoing(b, t) {
+            pen.set_outgoing(b, Some(n1), rec);
         }
-        if self.half_edge(f) == Some(n1) {
-            self.set_half_edge(f, Some(h), rec);
+        if pen.has_half_edge(f, n1) {
+            pen.set_half_edge(f, Some(h), rec);
         }
-        if self.half_edge(g) == Some(n2) {
-            self.set_half_edge(g, Some(t), rec);
+        if pen.has_half_edge(g, n2) {
+            pen.set_half_edge(g, Some(t), rec);
         }
 
         rec.step(2, "Move both ends of the edge to the next corner.");
-        self.set_origin(h, d, rec);
-        self.set_origin(t, c, rec);
+        pen.set_origin(h, d, rec);
+        pen.set_origin(t, c, rec);
 
         rec.step(3, "Make the cyclic lists run along the new places.");
         for (edge, after, last, gained) in [(h, after1, p1, n2), (t, after2, p2, n1)] {
             if after == edge {
                 // A face of two sides has nothing between the edge and what it gains.
-                self.set_next(edge, gained, rec);
+                pen.set_next(edge, gained, rec);
             } else {
-                self.set_next(edge, after, rec);
-                self.set_next(last, gained, rec);
+                pen.set_next(edge, after, rec);
+                pen.set_next(last, gained, rec);
             }
-            self.set_next(gained, edge, rec);
+            pen.set_next(gained, edge, rec);
         }
 
         rec.step(4, "Make the two half-edges that changed sides point to the right face.");
-        self.set_face(n1, g, rec);
-        self.set_face(n2, f, rec);
+        pen.set_face(n1, g, rec);
+        pen.set_face(n2, f, rec);
     }
 }

@@ -81,22 +81,24 @@ impl Dcel {
         let [c, d] = self.add_edge_record(rec).half_edges();
 
         rec.step(3, "Set the origin, next, prev and face pointers.");
-        self.set_origin(c, m, rec);
-        self.set_origin(d, w, rec);
-        self.set_origin(b, m, rec);
-        self.set_next(a, c, rec);
-        self.set_next(d, b, rec);
+        let mut pen = self.pen();
+        pen.set_origin(c, m, rec);
+        pen.set_origin(d, w, rec);
+        pen.set_origin(b, m, rec);
+        pen.set_next(a, c, rec);
+        pen.set_next(d, b, rec);
         if after_a == b {
-            self.set_next(c, d, rec);
+            pen.set_next(c, d, rec);
         } else {
-            self.set_next(c, after_a, rec);
-            self.set_next(before_b, d, rec);
+            pen.set_next(c, after_a, rec);
+            pen.set_next(before_b, d, rec);
         }
-        self.set_face(c, self.face(a), rec);
-        self.set_face(d, self.face(b), rec);
-        self.set_outgoing(m, Some(c), rec);
-        if self.outgoing(w) == Some(b) {
-            self.set_outgoing(w, Some(d), rec);
+        let (left, right) = (pen.face(a), pen.face(b));
+        pen.set_face(c, left, rec);
+        pen.set_face(d, right, rec);
+        pen.set_outgoing(m, Some(c), rec);
+        if pen.has_outgoing(w, b) {
+            pen.set_outgoing(w, Some(d), rec);
         }
         (m, c)
     }

@@ -157,27 +157,28 @@ impl Dcel {
 
         rec.step(2, "Create two new half-edges for the splitting edge.");
         let [a, b] = self.add_edge_record(rec).half_edges();
-        self.set_origin(a, v1, rec);
-        self.set_origin(b, v2, rec);
+        let mut pen = self.pen();
+        pen.set_origin(a, v1, rec);
+        pen.set_origin(b, v2, rec);
 
         rec.step(3, "Insert the new half-edges into the cyclic lists.");
-        self.set_next(p1, a, rec);
-        self.set_next(a, h2, rec);
-        self.set_next(p2, b, rec);
-        self.set_next(b, h1, rec);
+        pen.set_next(p1, a, rec);
+        pen.set_next(a, h2, rec);
+        pen.set_next(p2, b, rec);
+        pen.set_next(b, h1, rec);
 
         rec.step(4, "Make all half-edges point to the right face.");
-        self.set_face(b, old, rec);
-        self.set_face(a, new, rec);
+        pen.set_face(b, old, rec);
+        pen.set_face(a, new, rec);
         let mut h = h2;
         while h != a {
-            self.set_face(h, new, rec);
-            h = self.next(h);
+            pen.set_face(h, new, rec);
+            h = pen.next(h);
         }
 
         rec.step(5, "Make both faces point to one of their half-edges.");
-        self.set_half_edge(new, Some(a), rec);
-        self.set_half_edge(old, Some(b), rec);
+        pen.set_half_edge(new, Some(a), rec);
+        pen.set_half_edge(old, Some(b), rec);
         (a, new)
     }
 }
