@@ -1,12 +1,12 @@
 //! Shared by the benchmarks: inputs, and measuring several programs against each other in one run.
 
 mod inputs;
-pub mod maps;
 
 use cpu_time::ProcessTime;
 use std::hint::black_box;
 
-pub use inputs::{Random, Triangles, delaunay, ordered, shuffled, three_orders};
+pub use dcel_kit_ways::{Random, maps};
+pub use inputs::{Triangles, delaunay, ordered, shuffled, three_orders};
 
 /// What a program made: handed back so that dropping it is not measured.
 pub type Made = Box<dyn std::any::Any>;

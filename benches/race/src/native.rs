@@ -125,7 +125,7 @@ impl Native {
         command.arg(self.task);
         if self.library == WAYS {
             let mut build = Command::new(std::env::var("CARGO").unwrap_or_else(|_| "cargo".into()));
-            build.args(["build", "--quiet", "--locked", "--release", "--bin", WAYS]).current_dir(ABOVE);
+            build.args(["build", "--quiet", "--locked", "--release", "-p", "dcel-kit-ways"]).current_dir(ABOVE);
             let done = build.args(["--target-dir", "target"]).output().map_err(|e| e.to_string())?;
             return if done.status.success() { Ok(command) } else { Err("it does not compile".to_owned()) };
         }

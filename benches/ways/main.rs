@@ -6,12 +6,12 @@
 use cpu_time::ProcessTime;
 use dcel_kit::navmesh::{Location, NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::{Point, Subdivision};
-use dcel_kit_benches::Random;
-use dcel_kit_benches::maps::{anywhere, blocks, caves, merged_peer, pairs, peer, triangles, vec};
+use dcel_kit_ways::Random;
+use dcel_kit_ways::maps::{anywhere, blocks, caves, merged_peer, pairs, peer, triangles, vec};
 use std::hint::black_box;
 use std::process::ExitCode;
 
-const LOCK: &str = include_str!("Cargo.lock");
+const LOCK: &str = include_str!("../Cargo.lock");
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
