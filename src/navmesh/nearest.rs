@@ -134,7 +134,12 @@ impl NavMesh {
 /// The distance of two points.
 #[inline]
 pub(super) fn distance(a: Point, b: Point) -> f64 {
-    let [x, y] = [b.x - a.x, b.y - a.y];
+    norm([b.x - a.x, b.y - a.y])
+}
+
+/// The length of a vector.
+#[inline]
+pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
 

@@ -4,7 +4,7 @@ use super::super::QueryPoint;
 use super::super::marks::{ID, NONE, TURN};
 use super::super::merged::Merged;
 use super::super::mesh::NavMesh;
-use super::super::nearest::{closest_on, distance};
+use super::super::nearest::{closest_on, distance, norm};
 use super::super::planner::Planner;
 use super::super::rooms::Rooms;
 use super::super::scratch::Scratch;
@@ -95,7 +95,7 @@ impl Exact {
         for i in 0..scratch.starts.len() {
             self.leave(rooms, scratch, scratch.starts[i].number(), NONE);
         }
-        self.enqueue(scratch, goal, best.0);
+        self.enqueue(rooms, scratch, goal, best.0);
         while let Some(Reverse((key, mut i))) = scratch.queue.pop() {
             if f64::from_bits(key) >= best.0 {
                 break;
@@ -106,6 +106,9 @@ impl Exact {
                 continue;
             }
             let mut beam = self.beam(rooms, node);
+            if self.is_outdone_by_endpoint(rooms, scratch, &beam) {
+                continue;
+            }
             // A single successor is looked at straight away.
             loop {
                 scratch.work.expansions += 1;
@@ -118,10 +121,10 @@ impl Exact {
                 }
                 self.expand(rooms, scratch, i, &beam);
                 let &[only] = &*self.found else {
-                    self.enqueue(scratch, goal, best.0);
+                    self.enqueue(rooms, scratch, goal, best.0);
                     break;
                 };
-                if only.node.length >= best.0 {
+                if only.node.length >= best.0 || self.is_outdone_by_endpoint(rooms, scratch, &only) {
                     break;
                 }
                 beam = only;
@@ -145,10 +148,10 @@ impl Exact {
     }
 
     /// Puts the cones that were found into the queue, but for those with too long a guess.
-    fn enqueue(&mut self, scratch: &mut Scratch, goal: Point, best: f64) {
+    fn enqueue<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, goal: Point, best: f64) {
         for beam in &self.found {
             let guess = beam.node.length + guess(beam, goal);
-            if guess < best {
+            if guess < best && !self.is_outdone_by_endpoint(rooms, scratch, beam) {
                 scratch.push(guess, self.nodes.len() as u32);
                 self.nodes.push(beam.node);
             }
@@ -256,12 +259,15 @@ impl Exact {
             if vertex & TURN != 0 && known.query == scratch.query { known.length } else { f64::INFINITY }
         };
         let [by_right, by_left] = [known(first), known(rooms.prev(&range, first))];
+        if by_right.min(by_left).is_infinite() {
+            return false;
+        }
         let [right, left] = beam.endpoints;
         let [low, high] = seen(beam);
         // By differences of points that were given: as exact far from the origin as near it.
         let (portal, off) = (difference(right, left), difference(beam.root, right));
-        let whole = portal[0].hypot(portal[1]);
-        let straight = |t: f64| beam.node.length + (off[0] + portal[0] * t).hypot(off[1] + portal[1] * t);
+        let whole = norm(portal);
+        let straight = |t: f64| beam.node.length + norm([off[0] + portal[0] * t, off[1] + portal[1] * t]);
         let is_shorter = |round: f64, straight: f64| round < straight * (1.0 - ROUNDED);
         is_shorter(by_right + whole * high, straight(high)) || is_shorter(by_left + whole * (1.0 - low), straight(low))
     }
