@@ -258,8 +258,7 @@ impl Coat {
 
     /// The middle of the box round it.
     pub(super) fn middle(&self) -> Point {
-        let [low, high] = self.corners();
-        Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y))
+        super::pairing::middle(self.corners())
     }
 
     /// The height of letters; of anything else its diameter.

@@ -92,6 +92,16 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// The point half way between two others.
+pub(super) fn middle([a, b]: [Point; 2]) -> Point {
+    Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y))
+}
+
+/// A point by its bits: corners of one outline are equal to the last.
+pub(super) fn key(p: Point) -> [u64; 2] {
+    [p.x, p.y].map(f64::to_bits)
+}
+
 /// How far a point is from a segment.
 pub(super) fn distance_to(p: Point, [a, b]: [Point; 2]) -> f64 {
     let (x, y) = (b.x - a.x, b.y - a.y);

@@ -243,19 +243,7 @@ impl Sketch {
                 Area::Face if covers && !corners.iter().any(|&p| snap.is_known(p)) => beside.paper.push(outline.coat),
                 Area::Bar(ends) => {
                     beside.bars.push(outline.coat);
-                    lines.push((
-                        Line {
-                            ends,
-                            half: 0.0,
-                            hidden: outline.hidden,
-                            aside: false,
-                            legend: 0,
-                            shape: u32::MAX,
-                            curved: false,
-                            dashes: [0; 2],
-                        },
-                        ends,
-                    ));
+                    lines.push((Line { hidden: outline.hidden, ..Line::plain(ends, 0.0, u32::MAX) }, ends));
                     numbers.push(Some(ends.map(|p| snap.number(p))));
                 }
                 Area::Paper => beside.paper.push(outline.coat),

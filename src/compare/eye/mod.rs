@@ -202,8 +202,7 @@ impl<'a> Eye<'a> {
     fn is_name(&mut self, i: u32) -> bool {
         let painting = self.painting;
         let text = &painting.coats[i as usize];
-        let [low, high] = text.corners();
-        self.look(Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)));
+        self.look(text.middle());
         let is_disc = |&j: &u32| match &painting.coats[j as usize] {
             Coat { shape: Shape::Disc(disc), part: Part::Dot, .. } => text.diameter() <= NAME * disc.reach,
             _ => false,
