@@ -10,6 +10,7 @@ use super::grid::{GAP, Grid, LAST, NOTHING, SEVERAL, slot_of};
 use super::hole_edges::HoleEdge;
 use super::marks::{CLOSED, ID};
 use super::slivers::Slivers;
+use crate::geometry::point::corners;
 use crate::ids::FaceId;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
@@ -344,10 +345,9 @@ impl Grid {
 
 /// The widths and the heights of all faces and edges between holes, added. O(n).
 fn extents(mesh: &NavMesh, hole_edges: &[HoleEdge]) -> [f64; 2] {
-    let of = |corners: &mut dyn Iterator<Item = Point>| {
-        let none = [f64::INFINITY, f64::NEG_INFINITY];
-        let wide = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
-        corners.fold([none; 2], |[x, y], p| [wide(x, p.x), wide(y, p.y)]).map(|[low, high]| high - low)
+    let of = |points: &mut dyn Iterator<Item = Point>| {
+        let [low, high] = corners(points);
+        [high.x - low.x, high.y - low.y]
     };
     let faces = mesh.faces().map(|f| of(&mut mesh.corners(f).map(|v| mesh.point(v))));
     let edges = hole_edges.iter().map(|edge| of(&mut edge.points(mesh).into_iter()));

@@ -4,7 +4,7 @@ use super::reply::{Selected, element};
 use crate::figure::escaped;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
-use crate::topology::{InnerComponent, Table, View};
+use crate::topology::{InnerComponent, Table, View, has};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -27,16 +27,6 @@ pub(super) fn pointers(table: &Table, element: Element) -> Vec<(&'static str, Op
             let [h, twin] = e.half_edges();
             vec![("half_edge", Some(h.into())), ("twin", Some(twin.into()))]
         }
-    }
-}
-
-/// Whether the element is there.
-pub(super) fn exists(table: &Table, element: Element) -> bool {
-    match element {
-        Element::HalfEdge(h) => table.has_half_edge(h),
-        Element::Vertex(v) => table.has_vertex(v),
-        Element::Face(f) => table.has_face(f),
-        Element::Edge(e) => table.has_half_edge(e.half_edges()[0]),
     }
 }
 
@@ -152,7 +142,7 @@ pub(super) fn find(table: &Table, word: &str) -> Result<Element, String> {
     let word = word.trim();
     let found =
         element(word).ok_or_else(|| format!("`{word}` is not the name of an element; write h0, v0, e0 or f0"))?;
-    if exists(table, found) {
+    if has(table, found) {
         return Ok(found);
     }
     let live = |rows: &[bool]| (rows.iter().filter(|&&row| row).count(), rows.len());

@@ -1,11 +1,11 @@
 //! A path of links, followed on any table: `h2.next.twin.prev`.
 
-use super::tables::{exists, find};
+use super::tables::find;
 use crate::edits::Kind;
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::old_words::{Language, OldWord};
 use crate::script::Link;
-use crate::topology::{Table, View};
+use crate::topology::{Table, View, has};
 
 /// No path is longer.
 const LONGEST: usize = 1000;
@@ -61,7 +61,7 @@ pub(super) fn walk(table: &Table, path: &str) -> Result<Vec<Element>, String> {
         let Some(to) = step(table, at, link) else {
             return Err(format!("{at}.{word} is not set, so `{path}` leads nowhere"));
         };
-        if !exists(table, to) {
+        if !has(table, to) {
             return Err(format!("{at}.{word} is {to}, which does not exist, so `{path}` leads nowhere"));
         }
         out.push(to);

@@ -84,6 +84,8 @@ pub use table_columns::TableColumns;
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 #[doc(hidden)]
 pub use view::Words;
+#[cfg(feature = "figure")]
+pub(crate) use view::has;
 pub(crate) use view::pointers_of_dcel;
 pub use view::{InnerComponent, View, bounded_cycle};
 pub use walk::{Cycle, OutgoingHalfEdges};

@@ -4,6 +4,8 @@
 //! reads views (the validator, `same`, the figures) must bound its walks.
 
 use super::Dcel;
+#[cfg(feature = "figure")]
+use crate::ids::Element;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 
 /// A boundary cycle of a face beside its first one, or a vertex without edges that lies in the face.
@@ -135,6 +137,17 @@ pub(crate) use pointers_of_dcel;
 
 impl View for Dcel {
     pointers_of_dcel!();
+}
+
+/// Whether the element exists.
+#[cfg(feature = "figure")]
+pub(crate) fn has<V: View + ?Sized>(view: &V, element: Element) -> bool {
+    match element {
+        Element::Vertex(v) => view.has_vertex(v),
+        Element::HalfEdge(h) => view.has_half_edge(h),
+        Element::Edge(e) => view.has_half_edge(e.half_edges()[0]),
+        Element::Face(f) => view.has_face(f),
+    }
 }
 
 /// At most `half_edge_bound` half-edges along `next` from `start`, ending before `start` comes again or where

@@ -1,7 +1,7 @@
 //! What the caller may choose about a figure.
 
 use crate::figure::canvas::text;
-use crate::figure::layout::grid::SHEET;
+use crate::figure::layout::grid::{PANEL, SHEET};
 use crate::figure::{Overrides, Style, Unit};
 use crate::ids::{Element, FaceId, Id};
 use crate::plane::Point;
@@ -295,6 +295,11 @@ impl FigureOptions {
     /// The same options with a style that the layout can work with.
     pub(crate) fn checked(&self) -> Self {
         Self { style: self.style.checked(), ..self.clone() }
+    }
+
+    /// The same for panels on a sheet.
+    pub(crate) fn of_panels(&self) -> Self {
+        Self { usual_width: PANEL, widest: SHEET, ..self.checked() }
     }
 
     pub(crate) fn name(&self, face: FaceId) -> Option<&str> {

@@ -66,6 +66,7 @@ pub use route::{SurfaceField, SurfaceRoute, SurfaceRouteError};
 pub use search::SurfacePlanner;
 
 use super::marks::NONE;
+use crate::geometry::interval::range;
 use crate::geometry::space::{cross, dot, length as norm, minus};
 use crate::ids::{FaceId, VertexId};
 use boxes::Boxes;
@@ -191,8 +192,7 @@ impl NavSurface {
     /// The lowest and the greatest height.
     #[must_use]
     pub fn heights(&self) -> [f64; 2] {
-        let used = self.sides.iter().map(|side| self.points[side.origin as usize][2]);
-        used.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
+        range(self.sides.iter().map(|side| self.points[side.origin as usize][2]))
     }
 
     /// The steepest slope, in degrees, and a face that has it.

@@ -3,6 +3,7 @@
 use super::{named, numbered, opened};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
+use crate::geometry::point::corners;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{IdError, InnerComponent};
@@ -138,11 +139,8 @@ fn paint(sketch: &mut Sketch, s: &Subdivision, f: FaceId) {
 
 /// How far beside their edges half-edges are drawn: a small part of the picture.
 fn distance_beside(s: &Subdivision) -> f64 {
-    let range = |x: fn(Point) -> f64| {
-        let xs = || s.vertices().map(|v| x(s.point(v)));
-        xs().fold(f64::NEG_INFINITY, f64::max) - xs().fold(f64::INFINITY, f64::min)
-    };
-    0.018 * range(|p| p.x).max(range(|p| p.y))
+    let [low, high] = corners(s.vertices().map(|v| s.point(v)));
+    0.018 * (high.x - low.x).max(high.y - low.y)
 }
 
 /// The half-edge on the left of its edge, a little shorter than that.
