@@ -250,21 +250,7 @@ pub fn robustness(points: &NearlyCollinear, options: &FigureOptions) -> Figure {
         "A map of {cells} points next to a line. Strong cells show where the orientation test in doubles is wrong: \
          {wrong} times."
     );
-    let scene = Scene {
-        size,
-        unit: options.unit,
-        plain: options.plain,
-        prefix,
-        title: options.title.clone(),
-        description: options.description.clone().unwrap_or(about),
-        attributes: vec![
-            ("data-figure", "robustness".to_owned()),
-            ("data-cells", cells.to_string()),
-            ("data-wrong", wrong.to_string()),
-        ],
-        css,
-        hatches: Vec::new(),
-        nodes,
-    };
+    let mut scene = Scene { css, nodes, ..options.scene("robustness", size, about) };
+    scene.attributes.extend([("data-cells", cells.to_string()), ("data-wrong", wrong.to_string())]);
     Figure { scene, detail: Detail::Full, notes: Vec::new() }
 }

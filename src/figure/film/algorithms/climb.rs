@@ -1,7 +1,7 @@
 //! Hill climbing over a convex solid, seen so that the direction points up.
 
-use super::space::{Moment, film};
 use super::numbered;
+use super::space::{Moment, film};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::Role;
 use crate::ids::VertexId;
