@@ -69,7 +69,6 @@ pub use isomorphism::{
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use log::Log;
-pub(crate) use measure::find;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use observe::{NoObserver, Observer};
 pub use orient::{OneSided, faces_to_turn};
