@@ -23,7 +23,7 @@ use super::snap::Snap;
 use super::{drawing, labels, legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
-use crate::topology::{InnerComponent, View, bounded_cycle};
+use crate::topology::{View, bounded_cycle};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A face's outline.
@@ -94,10 +94,7 @@ impl Sketch {
             rings::tidy(&bounded_cycle(table, h).filter_map(|h| Some(placed.ends(h)?[0])).collect::<Vec<_>>())
         };
         for f in faces(table) {
-            let further = table.inner_components(f).iter().filter_map(|ring| match ring {
-                InnerComponent::Cycle(h) => Some(*h),
-                InnerComponent::Isolated(_) => None,
-            });
+            let further = table.inner_components(f).iter().filter_map(|ring| ring.cycle());
             // A hole looks like the paper, and so may the outer face.
             let is_free = table.outer_face == Some(f) || table.is_hole(f);
             for (i, ring) in table.half_edge(f).into_iter().chain(further).map(corners).enumerate() {

@@ -73,6 +73,8 @@ mod words;
 pub(crate) use parse::parse_on;
 #[cfg(feature = "play")]
 pub(crate) use replay::Writer;
+#[cfg(feature = "play")]
+pub(crate) use syntax::follow;
 
 pub use error::{Problem, ScriptError};
 pub use kernel::{KernelStart, KernelStartError};

@@ -5,9 +5,9 @@ use crate::edits::{Argument, Call, Kind, Row, Takes, find};
 use crate::ids::Element;
 use crate::plane::Subdivision;
 use crate::play::edits::Done;
+use crate::play::points;
 use crate::play::reply::{Message, Reply, Tone};
 use crate::play::scene::Scene;
-use crate::play::{points, tables};
 use crate::topology::{Dcel, has};
 
 impl Session {

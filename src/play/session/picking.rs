@@ -5,7 +5,7 @@ use crate::edits::{Argument, Call, rows};
 use crate::ids::{Element, VertexId};
 use crate::play::reply::{Message, Reply, Tone};
 use crate::play::scene::Scene;
-use crate::play::{tables, walk};
+use crate::play::walk;
 use crate::topology::has;
 
 impl Session {
