@@ -1,6 +1,13 @@
 //! Vectors in space: the arithmetic of measures. Decisions are made by predicates, never here.
 
+use super::point::{CoordinateError, check_coordinate};
+
 pub(crate) type Vector = [f64; 3];
+
+/// Whether all coordinates of a point are in the range in which signs are exact.
+pub(crate) fn check_place(place: Vector) -> Result<(), CoordinateError> {
+    ['x', 'y', 'z'].into_iter().zip(place).try_for_each(|(axis, x)| check_coordinate(axis, x))
+}
 
 #[inline]
 pub(crate) fn minus(a: Vector, b: Vector) -> Vector {

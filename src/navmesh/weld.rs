@@ -13,8 +13,9 @@
 //! other never meet.
 
 use super::fault::MeshFault;
+use crate::geometry::space::check_place;
+use crate::plane::Point;
 use crate::plane::predicates::orientation;
-use crate::plane::{Point, check_coordinate};
 use crate::topology::PolygonList;
 
 /// A point in space; the third coordinate is the height, 0 for a map of the plane.
@@ -102,8 +103,7 @@ pub fn weld(points: &[Point], faces: &PolygonList, distance: f64) -> Welded {
 /// ```
 #[must_use]
 pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) -> Welded {
-    let is_number = |p: &Space| ['x', 'y', 'z'].into_iter().zip(p).all(|(axis, &x)| check_coordinate(axis, x).is_ok());
-    let is_sound = |&v: &u32| points.get(v as usize).is_some_and(is_number);
+    let is_sound = |&v: &u32| points.get(v as usize).is_some_and(|&p| check_place(p).is_ok());
     let used = sorted(faces.corners().iter().copied().filter(is_sound).collect());
     let grid = PointGrid::new(points, used);
     let mut result =
