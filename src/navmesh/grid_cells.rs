@@ -197,12 +197,8 @@ impl Grid {
     /// Appends for each cell into which a face reaches that face, and the holes behind its sides that reach there.
     fn list(&self, mesh: &NavMesh, f: FaceId, corners: &[Point], entries: &mut Vec<(u32, u32)>) {
         self.visit_cells(corners, |cell| entries.push((cell, f.number())));
-        for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-            let hole = side.across & ID;
-            if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(hole)) {
-                let (ends, name) = (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.hole_name(hole));
-                self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
-            }
+        for (ends, name) in hole_sides(mesh, f) {
+            self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
         }
     }
 
@@ -306,29 +302,18 @@ impl Grid {
     fn hole_by_ray(&self, mesh: &NavMesh, p: Point, [column, row]: [usize; 2]) -> u32 {
         let mut nearest: Option<([Point; 2], u32)> = None;
         for column in (0..=column).rev() {
-            for f in self.faces([column, row]) {
-                let f = FaceId::new(f);
-                for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-                    let hole = side.across & ID;
-                    if side.across & CLOSED == 0 || mesh.has_face(FaceId::new(hole)) {
-                        continue;
-                    }
-                    let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
-                    // With the hole on its right, towards p, the border runs up.
-                    let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
-                    if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                        nearest = Some(([a, b], mesh.hole_name(hole)));
-                    }
-                }
-            }
+            let sides = self.faces([column, row]).flat_map(|f| hole_sides(mesh, FaceId::new(f)));
             let cell = (row * self.columns + column) as u32;
             let first = self.hole_cells.partition_point(|&(other, _)| other < cell);
-            for &(_, i) in self.hole_cells[first..].iter().take_while(|&&(other, _)| other == cell) {
+            let edges = self.hole_cells[first..].iter().take_while(|&&(other, _)| other == cell).map(|&(_, i)| {
                 let edge = &self.hole_edges[i as usize];
-                let [a, b] = edge.points(mesh);
+                (edge.points(mesh), edge.holes[1])
+            });
+            for ([a, b], hole) in sides.chain(edges) {
+                // With the hole on its right, towards p, the border runs up.
                 let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
                 if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                    nearest = Some(([a, b], edge.holes[1]));
+                    nearest = Some(([a, b], hole));
                 }
             }
             // Whatever is met right of the left side of this cell has been seen by now.
@@ -341,6 +326,15 @@ impl Grid {
         }
         nearest.map_or(0, |(_, hole)| hole)
     }
+}
+
+/// The sides of a face behind which is a hole, each with the name of that.
+fn hole_sides(mesh: &NavMesh, f: FaceId) -> impl Iterator<Item = ([Point; 2], u32)> + '_ {
+    mesh.sides_of(f).iter().zip(mesh.range(f)).filter_map(move |(side, s)| {
+        let hole = side.across & ID;
+        let is_hole = side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(hole));
+        is_hole.then(|| (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.hole_name(hole)))
+    })
 }
 
 /// The widths and the heights of all faces and edges between holes, added. O(n).

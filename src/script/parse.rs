@@ -4,7 +4,7 @@ use super::cursor::{Complaint, Cursor, show};
 use super::error::{Problem, ScriptError};
 use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, kernel_start, plane_start, start_word};
 use super::syntax::{Action, Base, Link, Name, Path, Script, Statement, Value};
-use super::words::{Word, lines};
+use super::words::{Line, Word, lines};
 use crate::edits::{Argument, Editable, Kind, Row, Takes, find, map_size, rows_of, switch};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::old_words::{Language, OldWord};
@@ -94,15 +94,7 @@ impl Script<crate::solid::Polyhedron> {
 /// Reads statements alone, to be carried out on this structure; see [`Script::parse`].
 #[cfg(feature = "play")]
 pub(crate) fn parse_on<G: Editable>(start: G, text: &str, source: &str) -> Result<Script<G>, ScriptError> {
-    let mut parser = Parser::new(start, &[]);
-    let read = || {
-        for line in lines(text) {
-            let action = parser.action(&mut Cursor::new(&line))?;
-            parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
-        }
-        Ok(parser.script)
-    };
-    read().map_err(|complaint| named(complaint, source))
+    Parser::new(start, &[]).read(lines(text)).map_err(|complaint| named(complaint, source))
 }
 
 fn named(Complaint { line, column, what, help }: Complaint, source: &str) -> ScriptError {
@@ -122,12 +114,7 @@ fn read<G: Editable>(
             return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: starts.to_owned() });
         };
         let start = start(&mut Cursor::new(&first))?;
-        let mut parser = Parser::new(start, own);
-        for line in lines {
-            let action = parser.action(&mut Cursor::new(&line))?;
-            parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
-        }
-        Ok(parser.script)
+        Parser::new(start, own).read(lines)
     };
     read().map_err(|complaint| named(complaint, source))
 }
@@ -144,6 +131,15 @@ impl<'a, G: Editable> Parser<'a, G> {
     fn new(start: G, own: &'a [&'static Row]) -> Self {
         let script = Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() };
         Self { script, own, by_text: BTreeMap::new() }
+    }
+
+    /// The script of these statements.
+    fn read<'t>(mut self, lines: impl Iterator<Item = Line<'t>>) -> Result<Script<G>, Complaint> {
+        for line in lines {
+            let action = self.action(&mut Cursor::new(&line))?;
+            self.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
+        }
+        Ok(self.script)
     }
 
     /// The edit with this word.
