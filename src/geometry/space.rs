@@ -1,6 +1,9 @@
-//! Vectors in space: the arithmetic of measures. Decisions are made by predicates, never here.
+//! Vectors in space: the arithmetic of measures, by which nothing is decided; and what is decided exactly of one place and
+//! of three.
 
-use super::point::{CoordinateError, check_coordinate};
+use super::point::{CoordinateError, Point, check_coordinate};
+use super::predicates::orientation;
+use std::cmp::Ordering;
 
 pub(crate) type Vector = [f64; 3];
 
@@ -27,4 +30,18 @@ pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
 #[inline]
 pub(crate) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
+}
+
+/// How far two points are from each other.
+pub(crate) fn between(a: Vector, b: Vector) -> f64 {
+    length(minus(b, a))
+}
+
+/// Whether three points lie on one line, exactly: they do as seen along each axis.
+#[must_use]
+pub fn are_collinear(a: Vector, b: Vector, c: Vector) -> bool {
+    (0..3).all(|axis| {
+        let shadow = |p: Vector| Point::new(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+        orientation(shadow(a), shadow(b), shadow(c)) == Ordering::Equal
+    })
 }

@@ -13,9 +13,8 @@
 //! other never meet.
 
 use super::fault::MeshFault;
-use crate::geometry::space::check_place;
+use crate::geometry::space::{are_collinear, between, check_place};
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
 use crate::topology::PolygonList;
 
 /// A point in space; the third coordinate is the height, 0 for a map of the plane.
@@ -112,7 +111,7 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
     for &v in &grid.vertices {
         let mut best: Option<(f64, u32)> = None;
         grid.near(points, [points[v as usize]; 2], distance, |u| {
-            let apart = distance_of(points[v as usize], points[u as usize]);
+            let apart = between(points[v as usize], points[u as usize]);
             if u < v && stands_for[u as usize] == u && apart <= distance && best.is_none_or(|best| (apart, u) < best) {
                 best = Some((apart, u));
             }
@@ -165,7 +164,7 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
             grid.near(points, [p, q], distance, |v| {
                 let at = points[v as usize];
                 let (along, apart) = along_and_apart([p, q], at);
-                let exact = are_on_a_line(p, q, at);
+                let exact = are_collinear(p, q, at);
                 let inside = along > 0.0 && along < 1.0 && ![p, q].contains(&at);
                 if inside && (apart <= distance || exact) && !cycle.contains(&v) {
                     found.push(Beside { v, apart: if exact { 0.0 } else { apart }, side, along });
@@ -221,7 +220,7 @@ pub(super) fn near_misses_along(
     // How far away something may be of a side, and of a vertex: of the shortest side there.
     let reach = |side: &BorderSide| {
         let [a, b] = side.ends.map(|v| points[v as usize]);
-        most.min(OF_SIDES * distance_of(a, b))
+        most.min(OF_SIDES * between(a, b))
     };
     let mut reach_of = vec![most; points.len()];
     for side in border {
@@ -231,7 +230,7 @@ pub(super) fn near_misses_along(
     let mut nearest: Vec<Option<(f64, u32)>> = vec![None; points.len()];
     for &v in &grid.vertices {
         grid.near(points, [points[v as usize]; 2], reach_of[v as usize], |u| {
-            let apart = distance_of(points[v as usize], points[u as usize]);
+            let apart = between(points[v as usize], points[u as usize]);
             let reach = reach_of[v as usize].min(reach_of[u as usize]);
             let is_near = u < v && apart <= reach && joined.binary_search(&[u, v]).is_err();
             if is_near && nearest[v as usize].is_none_or(|best| (apart, u) < best) {
@@ -282,25 +281,12 @@ fn flat(points: &[Point]) -> Vec<Space> {
     points.iter().map(|p| [p.x, p.y, 0.0]).collect()
 }
 
-fn distance_of(a: Space, b: Space) -> f64 {
-    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    (x * x + y * y + z * z).sqrt()
-}
-
-/// Whether three points lie on one line, exactly: they do as seen along each axis.
-fn are_on_a_line(a: Space, b: Space, c: Space) -> bool {
-    [(0, 1), (1, 2), (2, 0)].iter().all(|&(x, y)| {
-        let [a, b, c] = [a, b, c].map(|p| Point::new(p[x], p[y]));
-        orientation(a, b, c).is_eq()
-    })
-}
-
 /// Where on the segment the nearest point to `p` is, from 0 to 1, and how far away.
 fn along_and_apart([a, b]: [Space; 2], p: Space) -> (f64, f64) {
     let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let t = ((p[0] - a[0]) * x + (p[1] - a[1]) * y + (p[2] - a[2]) * z) / (x * x + y * y + z * z);
     let on = t.clamp(0.0, 1.0);
-    (t, distance_of([a[0] + x * on, a[1] + y * on, a[2] + z * on], p))
+    (t, between([a[0] + x * on, a[1] + y * on, a[2] + z * on], p))
 }
 
 /// Vertices in cells of equal size.
@@ -344,7 +330,7 @@ impl PointGrid {
 
     /// The length of the diagonal of the box round all.
     fn extent(&self) -> f64 {
-        distance_of(self.min, self.max)
+        between(self.min, self.max)
     }
 
     fn place(&self, which: usize, x: f64) -> usize {

@@ -67,7 +67,7 @@ pub use search::SurfacePlanner;
 
 use super::marks::NONE;
 use crate::geometry::interval::range;
-use crate::geometry::space::{cross, dot, length as norm, minus};
+use crate::geometry::space::{between, cross, dot, length as norm, minus};
 use crate::ids::{FaceId, VertexId};
 use boxes::Boxes;
 use std::ops::Range;
@@ -278,10 +278,6 @@ fn prev(s: usize) -> usize {
 
 /// The distance of two points in space.
 #[inline]
-fn between(a: Space, b: Space) -> f64 {
-    norm(minus(a, b))
-}
-
 /// The point at the fraction `t` of the path from `a` to `b`.
 fn lerp(a: Space, b: Space, t: f64) -> Space {
     [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
