@@ -10,6 +10,7 @@ use super::grid::{GAP, Grid, LAST, NOTHING, SEVERAL, slot_of};
 use super::hole_edges::HoleEdge;
 use super::marks::{CLOSED, ID};
 use super::slivers::Slivers;
+use crate::geometry::grouping::Groups;
 use crate::geometry::point::corners;
 use crate::ids::FaceId;
 use crate::plane::Point;
@@ -214,20 +215,12 @@ impl Grid {
         let by_edge = self.hole_cells.iter();
         pairs.extend(by_edge.flat_map(|&(cell, i)| self.hole_edges[i as usize].holes.map(|hole| (cell, GAP | hole))));
         let cells = self.columns * self.rows;
-        let mut ends = vec![0u32; cells + 1];
-        pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
-        (0..cells).for_each(|cell| ends[cell + 1] += ends[cell]);
-        let mut sorted = vec![0u32; pairs.len()];
-        let mut at = ends.clone();
-        for (cell, item) in pairs {
-            sorted[at[cell as usize] as usize] = item;
-            at[cell as usize] += 1;
-        }
+        let by_cell = Groups::new(cells, pairs.iter().map(|&(cell, item)| (cell as usize, item)));
         self.cells = Vec::with_capacity(cells);
-        self.items = Vec::with_capacity(sorted.len());
+        self.items = Vec::with_capacity(pairs.len());
         for cell in 0..cells {
             let start = self.items.len();
-            let here = &sorted[ends[cell] as usize..ends[cell + 1] as usize];
+            let here = by_cell.of(cell);
             self.items.extend(here.iter().filter(|&&item| item & GAP == 0));
             let mut holes = here.iter().copied().filter(|&item| item & GAP != 0);
             if let Some(first) = holes.next() {

@@ -13,6 +13,7 @@
 //! other never meet.
 
 use super::fault::MeshFault;
+use crate::geometry::grouping::grouped;
 use crate::geometry::space::{are_collinear, between, check_place};
 use crate::plane::Point;
 use crate::topology::PolygonList;
@@ -314,18 +315,12 @@ impl PointGrid {
         let cell = (width * height / count).sqrt().max(width.max(height) / count);
         let scale = if cell > 0.0 { 1.0 / cell } else { 0.0 };
         let size = [width, height].map(|length| (length * scale) as usize + 1);
-        let mut grid =
-            Self { vertices, min, max, scale, size, starts: vec![0; size[0] * size[1] + 1], items: Vec::new() };
-        let cells: Vec<usize> = grid.vertices.iter().map(|&v| grid.cell(points[v as usize])).collect();
-        cells.iter().for_each(|&cell| grid.starts[cell + 1] += 1);
-        (1..grid.starts.len()).for_each(|i| grid.starts[i] += grid.starts[i - 1]);
-        let mut at = grid.starts.clone();
-        grid.items = vec![0; grid.vertices.len()];
-        for (&v, cell) in grid.vertices.iter().zip(cells) {
-            grid.items[at[cell] as usize] = v;
-            at[cell] += 1;
-        }
-        grid
+        let grid = Self { vertices, min, max, scale, size, starts: Vec::new(), items: Vec::new() };
+        let vertex = |i: usize| grid.vertices[i];
+        let cell = |i: usize| grid.cell(points[vertex(i) as usize]);
+        let (starts, order) = grouped(size[0] * size[1], grid.vertices.len(), cell);
+        let items = order.into_iter().map(|i| vertex(i as usize)).collect();
+        Self { starts, items, ..grid }
     }
 
     /// The length of the diagonal of the box round all.
