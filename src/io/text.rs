@@ -365,19 +365,15 @@ impl<'a> Scanner<'a> {
     /// The next word of this line, or an error that names what is missing.
     #[inline]
     pub(super) fn need(&mut self, wanted: impl FnOnce() -> String) -> Result<Word<'a>, ReadError> {
-        match self.word() {
-            Some(word) => Ok(word),
-            None => Err(self.missing(wanted())),
-        }
+        let word = self.word();
+        word.ok_or_else(|| self.missing(wanted()))
     }
 
     /// The next word in this line or a later one, or an error that names what is missing.
     #[inline]
     pub(super) fn need_anywhere(&mut self, wanted: impl FnOnce() -> String) -> Result<Word<'a>, ReadError> {
-        match self.word_anywhere() {
-            Some(word) => Ok(word),
-            None => Err(self.missing(wanted())),
-        }
+        let word = self.word_anywhere();
+        word.ok_or_else(|| self.missing(wanted()))
     }
 
     /// The error that `wanted` is missing here.

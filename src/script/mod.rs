@@ -70,7 +70,7 @@ mod syntax;
 mod words;
 
 #[cfg(feature = "play")]
-pub(crate) use parse::parse_on;
+pub(crate) use parse::{element, parse_on};
 #[cfg(feature = "play")]
 pub(crate) use replay::Writer;
 #[cfg(feature = "play")]

@@ -339,13 +339,13 @@ impl<'a, G: Editable> Parser<'a, G> {
         if let Some(&index) = self.by_text.get(word) {
             return Some((Base::Named(index), self.script.names[index].kind));
         }
-        let element = id(word).filter(|element| self.script.start.topology().check(*element).is_ok())?;
+        let element = element(word).filter(|element| self.script.start.topology().check(*element).is_ok())?;
         Some((Base::Given(element), Kind::of(element)))
     }
 
     fn unknown(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Complaint {
         let start = self.script.start.topology();
-        let Some(element) = id(word.text) else {
+        let Some(element) = element(word.text) else {
             let mut known = format!("given are h0 .. h{}", start.half_edge_bound().saturating_sub(1));
             for name in self.script.names.iter().rev().take(10) {
                 known.push_str(", ");
@@ -368,7 +368,7 @@ impl<'a, G: Editable> Parser<'a, G> {
         let letters = word.text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let begins = word.text.chars().next().is_some_and(char::is_alphabetic);
         let reserved = word.text == LET || OTHERS.contains(&word.text) || self.find(word.text).is_some();
-        if id(word.text).is_some() || !letters || !begins || reserved {
+        if element(word.text).is_some() || !letters || !begins || reserved {
             let help = "a name begins with a letter, holds letters, digits and `_`, and is neither a statement nor \
                         an id such as h12";
             return Err(cursor.at(word, Problem::BadName { word: show(word.text) }, help));
@@ -390,7 +390,7 @@ impl<'a, G: Editable> Parser<'a, G> {
 }
 
 /// `h3`, `v0`, `e1` or `f2`.
-fn id(word: &str) -> Option<Element> {
+pub(crate) fn element(word: &str) -> Option<Element> {
     let half_edge = || word.parse::<HalfEdgeId>().map(Element::from);
     let vertex = || word.parse::<VertexId>().map(Element::from);
     let edge = || word.parse::<EdgeId>().map(Element::from);

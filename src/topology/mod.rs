@@ -77,6 +77,8 @@ pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub(crate) use reads::reads_of_dcel;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
+#[cfg(feature = "compare")]
+pub(crate) use replay::set_row;
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_columns::TableColumns;
