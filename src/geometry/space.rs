@@ -33,13 +33,13 @@ pub(crate) fn length(a: Vector) -> f64 {
 }
 
 /// How far two points are from each other.
+#[cfg(feature = "navmesh")]
 pub(crate) fn between(a: Vector, b: Vector) -> f64 {
     length(minus(b, a))
 }
 
 /// Whether three points lie on one line, exactly: they do as seen along each axis.
-#[must_use]
-pub fn are_collinear(a: Vector, b: Vector, c: Vector) -> bool {
+pub(crate) fn are_collinear(a: Vector, b: Vector, c: Vector) -> bool {
     (0..3).all(|axis| {
         let shadow = |p: Vector| Point::new(p[(axis + 1) % 3], p[(axis + 2) % 3]);
         orientation(shadow(a), shadow(b), shadow(c)) == Ordering::Equal

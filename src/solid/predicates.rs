@@ -9,7 +9,7 @@
 //!          ● a
 //! ```
 
-pub use crate::geometry::space::are_collinear;
+use crate::geometry::space;
 use crate::plane::Expansion;
 use robust::Coord3D;
 use std::cmp::Ordering;
@@ -45,6 +45,12 @@ pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Ordering 
 
 /// How much of the sum of the sizes of its products rounding may change the determinant: (7 + 56 e) e, e = 2^-53.
 const ROUNDING: f64 = 7.771_561_172_376_103e-16;
+
+/// Whether a, b, c lie on one line. Exact: they do if all three shadows do.
+#[must_use]
+pub fn are_collinear(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
+    space::are_collinear(a, b, c)
+}
 
 /// Which of two points lies further in a direction; of two equally far ones, the one with the greater x, then the
 /// greater y, then the greater z. `Equal` only for equal points. Exact.

@@ -88,7 +88,7 @@ fn number(i: usize, before: Option<usize>, count: usize) -> String {
     }
 }
 
-/// The events that are [shown](shown), each with its [number](number()).
+/// The events that are shown, each with its number.
 fn numbered(count: usize, most: usize) -> impl Iterator<Item = (usize, String)> {
     let mut before = None;
     shown(count, most).into_iter().map(move |i| (i, number(i, before.replace(i), count)))
