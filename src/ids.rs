@@ -42,7 +42,7 @@ pub struct ParseIdError {
 }
 
 macro_rules! id {
-    ($(#[$doc:meta])* $name:ident, $letter:literal, $kind:literal) => {
+    ($(#[$doc:meta])* $name:ident, $variant:ident, $letter:literal, $kind:literal) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct $name(pub(crate) u32);
@@ -104,24 +104,30 @@ macro_rules! id {
                     .ok_or_else(|| ParseIdError { text: text.to_owned(), kind: $kind, letter: $letter })
             }
         }
+
+        impl From<$name> for Element {
+            fn from(id: $name) -> Self {
+                Self::$variant(id)
+            }
+        }
     };
 }
 
 id!(
     /// A vertex: `v3`.
-    VertexId, 'v', "vertex"
+    VertexId, Vertex, 'v', "vertex"
 );
 id!(
     /// A half-edge: `h7`. Its face lies on its left.
-    HalfEdgeId, 'h', "half-edge"
+    HalfEdgeId, HalfEdge, 'h', "half-edge"
 );
 id!(
     /// An edge, that is a pair of twin half-edges: `e3` = (`h6`, `h7`).
-    EdgeId, 'e', "edge"
+    EdgeId, Edge, 'e', "edge"
 );
 id!(
     /// A face: `f0`. In a planar subdivision `f0` is the outer face.
-    FaceId, 'f', "face"
+    FaceId, Face, 'f', "face"
 );
 
 impl HalfEdgeId {
@@ -209,30 +215,6 @@ pub(crate) fn must_be_below(element: impl Into<Element>, index: usize, bound: us
 impl fmt::Debug for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
-    }
-}
-
-impl From<VertexId> for Element {
-    fn from(v: VertexId) -> Self {
-        Self::Vertex(v)
-    }
-}
-
-impl From<HalfEdgeId> for Element {
-    fn from(h: HalfEdgeId) -> Self {
-        Self::HalfEdge(h)
-    }
-}
-
-impl From<EdgeId> for Element {
-    fn from(e: EdgeId) -> Self {
-        Self::Edge(e)
-    }
-}
-
-impl From<FaceId> for Element {
-    fn from(f: FaceId) -> Self {
-        Self::Face(f)
     }
 }
 

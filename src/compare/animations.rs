@@ -8,6 +8,7 @@
 
 use super::error::{Fault, Problem, quoted};
 use super::markup::is_svg;
+use super::tags::by_id;
 use crate::figure::canvas::untold::changes_looks;
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -54,7 +55,7 @@ pub(super) fn harmless<'a>(document: &'a Document<'_>) -> Result<Harmless<'a>, F
         let link = node.attributes().find(|a| a.name() == "href").map(|a| a.value().trim());
         let target = match link {
             Some(link) => {
-                let named = named.get_or_insert_with(|| by_id(document));
+                let named = named.get_or_insert_with(|| by_id(document.descendants()));
                 link.strip_prefix('#').and_then(|id| named.get(id)).copied()
             }
             None => node.parent_element(),
@@ -92,12 +93,4 @@ fn changed<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let written = node.attribute("attributeName").map_or(otherwise, str::trim);
     let name = written.rsplit(':').next().unwrap_or(written);
     (READ.contains(&name) || changes_looks(name)).then_some(name)
-}
-
-fn by_id<'a, 'i>(document: &'a Document<'i>) -> BTreeMap<&'a str, Node<'a, 'i>> {
-    let mut out = BTreeMap::new();
-    for (id, node) in document.descendants().filter_map(|n| Some((n.attribute("id")?, n))) {
-        out.entry(id).or_insert(node);
-    }
-    out
 }

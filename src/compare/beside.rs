@@ -9,7 +9,7 @@
 //! ```
 
 use super::drawing::{Drawing, Line, Outline};
-use super::pairing::{distance, lies_on};
+use super::pairing::{distance, lies_on, middle};
 use super::snap::Snap;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -103,7 +103,7 @@ impl Trim {
             }
             // With a frame go its ticks.
             for (line, border) in drawing.lines.iter().zip(&mut border) {
-                *border |= frame.has(line) || frame.extent.is_outside(line.ends, frame.slack());
+                *border |= frame.has(line) || frame.extent.is_outside(&line.ends, frame.slack());
             }
         }
         let mut tight = vec![false; drawing.lines.len()];
@@ -171,7 +171,7 @@ fn borders(drawing: &Drawing, clear: bool) -> Vec<Border> {
             let along = frame.has(line);
             let within = !along && line.ends.iter().all(|&p| frame.extent.holds(p, room));
             others += usize::from(within);
-            along || within || frame.extent.is_outside(line.ends, slack)
+            along || within || frame.extent.is_outside(&line.ends, slack)
         });
         dots && lines && others > 0
     });
@@ -241,9 +241,9 @@ impl Extent {
             && self.high.y >= high.y - slack
     }
 
-    /// Whether both ends lie beyond one side.
-    fn is_outside(&self, ends: [Point; 2], slack: f64) -> bool {
-        let all = |beyond: &dyn Fn(Point) -> bool| ends.iter().all(|&p| beyond(p));
+    /// Whether all points lie beyond one side.
+    fn is_outside(&self, points: &[Point], slack: f64) -> bool {
+        let all = |beyond: &dyn Fn(Point) -> bool| points.iter().all(|&p| beyond(p));
         all(&|p| p.x < self.low.x + slack)
             || all(&|p| p.x > self.high.x - slack)
             || all(&|p| p.y < self.low.y + slack)
@@ -300,12 +300,7 @@ impl Extent {
 
     /// Whether no point of a line or a dot lies within.
     pub(super) fn is_clear_of(&self, points: &[Point]) -> bool {
-        let slack = 1e-3 * self.size();
-        let all = |beyond: &dyn Fn(Point) -> bool| points.iter().all(|&p| beyond(p));
-        all(&|p| p.x < self.low.x - slack)
-            || all(&|p| p.x > self.high.x + slack)
-            || all(&|p| p.y < self.low.y - slack)
-            || all(&|p| p.y > self.high.y + slack)
+        self.is_outside(points, -1e-3 * self.size())
     }
 }
 
@@ -375,14 +370,13 @@ fn bar(corners: &[Point], snap: &Snap, size: f64) -> Option<[Point; 2]> {
 pub(super) fn thin(corners: &[Point], size: f64) -> Option<([Point; 2], f64)> {
     let closed = corners.len() == 5 && corners[0] == corners[4];
     let &[a, b, c, d] = corners.get(..if closed { 4 } else { corners.len() })? else { return None };
-    let middle = |p: Point, q: Point| Point::new(0.5 * (p.x + q.x), 0.5 * (p.y + q.y));
     let of = |[a, b, c, d]: [Point; 4]| {
         let width = distance(a, b);
         // The long sides are parallel, the corners right angles.
         let (x, y) = (b.x - a.x, b.y - a.y);
         let square = (x * (d.x - a.x) + y * (d.y - a.y)).abs() <= 0.02 * width * distance(a, d);
-        let even = distance(middle(a, c), middle(b, d)) <= 0.05 * width;
-        let ends = [middle(a, b), middle(c, d)];
+        let even = distance(middle([a, c]), middle([b, d])) <= 0.05 * width;
+        let ends = [middle([a, b]), middle([c, d])];
         let is_thin = width > 0.0 && width <= THIN * size && distance(ends[0], ends[1]) >= LONG * width;
         (is_thin && square && even).then_some((ends, width))
     };

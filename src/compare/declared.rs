@@ -13,7 +13,7 @@ use super::error::{Fault, Problem, place, quoted};
 use super::numbers;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, set_row};
 use roxmltree::{Document, Node};
 use std::str::FromStr;
 
@@ -90,7 +90,8 @@ impl Reader<'_> {
         self.claim(node, 0, v.index(), name)?;
         let [x, y] = [coordinate(node, "data-x")?, coordinate(node, "data-y")?];
         let position = x.zip(y).map(|(x, y)| [x, y]);
-        set(&mut self.table.vertices, v.index(), VertexRow { position, outgoing: pointer(node, "data-he")? });
+        let row = VertexRow { position, outgoing: pointer(node, "data-he")? };
+        set_row(&mut self.table.vertices, v.index(), Some(row));
         Ok(())
     }
 
@@ -104,7 +105,7 @@ impl Reader<'_> {
             prev: pointer(node, "data-prev")?,
             face: pointer(node, "data-face")?,
         };
-        set(&mut self.table.half_edges, h.index(), row);
+        set_row(&mut self.table.half_edges, h.index(), Some(row));
         Ok(())
     }
 
@@ -131,7 +132,7 @@ impl Reader<'_> {
             }
             self.table.outer_face = Some(f);
         }
-        set(&mut self.table.faces, f.index(), row);
+        set_row(&mut self.table.faces, f.index(), Some(row));
         Ok(())
     }
 
@@ -151,13 +152,6 @@ impl Reader<'_> {
         offsets[index] = offset;
         Ok(())
     }
-}
-
-fn set<T: Clone>(rows: &mut Vec<Option<T>>, index: usize, row: T) {
-    if index >= rows.len() {
-        rows.resize(index + 1, None);
-    }
-    rows[index] = Some(row);
 }
 
 /// What stands behind the last hyphen.

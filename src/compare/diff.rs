@@ -144,7 +144,7 @@ impl Comparison {
                     Node::Text { class: "ct", at: xy(left + 4.0, column.y), size: SIZE, text: (i + 1).to_string() };
                 column.nodes.push(number);
             }
-            for words in lines(&difference.text) {
+            for words in text::wrap(&text::clean(&difference.text), SIZE, false, WORDS, usize::MAX) {
                 column.line("cs", 2.0 * BADGE + 10.0, SIZE, words);
             }
             column.y += 8.0;
@@ -191,21 +191,6 @@ impl Column {
         self.nodes.push(Node::Text { class, at: xy(self.left + indent, self.y), size, text });
         self.y += LINE;
     }
-}
-
-/// A sentence in lines that fit into the column.
-fn lines(sentence: &str) -> Vec<String> {
-    let mut out: Vec<String> = Vec::new();
-    for word in text::clean(sentence).split_whitespace() {
-        match out.last_mut() {
-            Some(line) if text::width(&format!("{line} {word}"), SIZE, false) <= WORDS => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => out.push(word.to_owned()),
-        }
-    }
-    out
 }
 
 /// The layout: the reference, with points and lines of the student's that it does not have.

@@ -6,7 +6,7 @@
 
 use crate::figure::Style;
 use crate::figure::canvas::number::drawn;
-use crate::figure::canvas::style::{Colour, Palette};
+use crate::figure::canvas::style::{Colour, Palette, rule};
 use std::fmt::Write;
 
 /// Missing, too much, and the number on a badge: on white 5.9 : 1 and 5.9 : 1, on dark paper 6.6 : 1 and 7.7 : 1.
@@ -39,22 +39,17 @@ pub(super) fn css(style: &Style, scope: &str) -> String {
         (".yl", "stroke-width:1.4;fill:none"),
         (".yh", "stroke-width:1;fill:none;stroke-dasharray:1 4"),
     ] {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
+        rule(&mut out, scope, selector, properties);
     }
-    colours(&mut out, scope, &style.light, LIGHT);
-    if let Some(dark) = &style.dark {
-        out.push_str("@media (prefers-color-scheme:dark){\n");
-        colours(&mut out, scope, dark, DARK);
-        out.push_str("}\n");
-    }
+    // The light palette comes first.
+    let mut accents = LIGHT;
+    style.in_both(&mut out, |out, palette| colours(out, scope, palette, std::mem::replace(&mut accents, DARK)));
     let _ = writeln!(out, "#{scope} .hot .sh{{stroke-width:{}}}", drawn(1.3 * style.shaft_width));
     out
 }
 
 fn colours(out: &mut String, scope: &str, palette: &Palette, [miss, extra, number]: [Colour; 3]) {
-    let mut rule = |selector: &str, properties: String| {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
-    };
+    let mut rule = |selector: &str, properties: String| rule(out, scope, selector, &properties);
     rule(".vd", format!("stroke:{}", palette.edge));
     rule(".vl", format!("fill:{}", palette.grey));
     rule(".fl", format!("fill:{}", palette.grey));

@@ -6,7 +6,7 @@
 //!
 //! Where another line begins at the same point, as at the corners of a polygon, none ends.
 
-use super::pairing::distance;
+use super::pairing::{distance, key};
 use super::snap::Snap;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -112,9 +112,4 @@ impl Loose {
     pub(super) fn is(&self, end: Point) -> bool {
         self.0.get(&key(end)).is_none_or(Option::is_some)
     }
-}
-
-/// A point by its bits: corners of one outline are equal to the last.
-fn key(p: Point) -> [u64; 2] {
-    [p.x.to_bits(), p.y.to_bits()]
 }

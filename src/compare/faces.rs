@@ -175,10 +175,7 @@ fn isolated(
 ) {
     let lies_in = |placed: &Placed<'_>| -> BTreeMap<u32, FaceId> {
         let table = placed.table;
-        let alone = |ring: &InnerComponent| match ring {
-            InnerComponent::Isolated(v) => placed.numbers.get(v.index()).copied().flatten(),
-            InnerComponent::Cycle(_) => None,
-        };
+        let alone = |ring: &InnerComponent| placed.numbers.get(ring.isolated()?.index()).copied().flatten();
         faces(table).flat_map(|f| table.inner_components(f).iter().filter_map(alone).map(move |v| (v, f))).collect()
     };
     let theirs = lies_in(found);

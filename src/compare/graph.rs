@@ -47,7 +47,7 @@ impl Graph {
 }
 
 /// Which point is which, and what is left over.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Matched {
     pub(super) to_found: Vec<Option<u32>>,
     pub(super) to_expected: Vec<Option<u32>>,
@@ -82,10 +82,7 @@ impl Matched {
         let mut out = Self {
             to_found: vec![None; expected.points.len()],
             to_expected: vec![None; found.points.len()],
-            moved: Vec::new(),
-            missing: Vec::new(),
-            extra: Vec::new(),
-            doubles: BTreeMap::new(),
+            ..Self::default()
         };
         for (i, &p) in found.points.iter().enumerate() {
             let Some(v) = places.near(p, tolerance) else { continue };

@@ -54,17 +54,6 @@ enum Wrong {
 }
 
 impl Wrong {
-    const ALL: [Self; 8] = [
-        Self::Hidden,
-        Self::Missing,
-        Self::Elsewhere,
-        Self::Bent,
-        Self::Short,
-        Self::NoBarb,
-        Self::Backwards,
-        Self::Inside,
-    ];
-
     /// What is said of one half-edge, and of several.
     fn words(self) -> [&'static str; 2] {
         match self {
@@ -255,15 +244,15 @@ pub(super) fn compare(
         };
         found.extend(reached.iter().filter(|(g, reach)| is_short(**g, **reach)).map(|(g, _)| (*g, Wrong::Short)));
     }
-    let told = |wrong: Wrong| {
-        let names: Vec<String> =
-            found.iter().filter(|(_, other)| *other == wrong).map(|(h, _)| h.to_string()).collect();
+    let mut groups: BTreeMap<Wrong, Vec<HalfEdgeId>> = BTreeMap::new();
+    found.iter().for_each(|&(h, wrong)| groups.entry(wrong).or_default().push(h));
+    let told = |(wrong, half_edges): (Wrong, Vec<HalfEdgeId>)| {
+        let names: Vec<String> = half_edges.iter().map(ToString::to_string).collect();
         let [one, many] = wrong.words();
         let text = format!("{}: {}", counted(names.len(), one, many), listed(&names));
-        let own = found.iter().filter(|(_, other)| *other == wrong);
         let mut places = placed.map(|[_, theirs]| Spots::new(theirs));
-        let spots = own.filter_map(|(g, _)| Some(places.as_mut()?.of(Element::HalfEdge(*g))));
-        (!names.is_empty()).then(|| Difference::new(Kind::HalfEdge, Layer::Drawn, text, spots::all(spots)))
+        let spots = half_edges.into_iter().filter_map(|g| Some(places.as_mut()?.of(Element::HalfEdge(g))));
+        Difference::new(Kind::HalfEdge, Layer::Drawn, text, spots::all(spots))
     };
-    Wrong::ALL.into_iter().filter_map(told).collect()
+    groups.into_iter().map(told).collect()
 }

@@ -6,6 +6,7 @@
 //! ```
 
 use super::colour::Paint;
+use super::rings::beside_sides;
 use crate::geometry::point::corners;
 use crate::plane::Point;
 use std::collections::BTreeMap;
@@ -167,18 +168,8 @@ impl Area {
     /// Whether a ring that is a part of it is a hole: what is painted lies just outside of one of its first sides, and
     /// nothing just inside. O(corners of the ring, and sides of some bands).
     pub(super) fn leaves_empty(&self, ring: &[Point]) -> bool {
-        let twice = super::rings::area(ring.iter().copied());
-        let sides = || (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()]));
-        let length = |a: Point, b: Point| super::pairing::distance(a, b);
-        let around: f64 = sides().map(|(a, b)| length(a, b)).sum();
-        // Beside the middle of a side, to the left of it if it runs counter-clockwise: a small part of how wide the ring is.
-        let beside = |a: Point, b: Point, part: f64| {
-            let way = part * twice / (around * length(a, b));
-            let p = Point::new(0.5 * (a.x + b.x) - way * (b.y - a.y), 0.5 * (a.y + b.y) + way * (b.x - a.x));
-            self.covers(p).0
-        };
-        let mut asked = sides().filter(|&(a, b)| a != b).take(SIDES);
-        twice != 0.0 && asked.any(|(a, b)| beside(a, b, -1e-3) && !beside(a, b, 1e-3))
+        let mut pairs = beside_sides(ring, -1e-3).zip(beside_sides(ring, 1e-3)).take(SIDES);
+        pairs.any(|(outside, inside)| self.covers(outside).0 && !self.covers(inside).0)
     }
 
     /// Where the sides meet a height.
@@ -258,8 +249,7 @@ impl Coat {
 
     /// The middle of the box round it.
     pub(super) fn middle(&self) -> Point {
-        let [low, high] = self.corners();
-        Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y))
+        super::pairing::middle(self.corners())
     }
 
     /// The height of letters; of anything else its diameter.

@@ -5,6 +5,8 @@
 //!   found     × × ×  ×          of what is left, nearest neighbours are pairs that have moved
 //! ```
 
+use crate::geometry::interval::range;
+use crate::geometry::point::corners;
 use crate::plane::Point;
 use std::collections::BTreeMap;
 
@@ -92,6 +94,16 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// The point half way between two others.
+pub(super) fn middle([a, b]: [Point; 2]) -> Point {
+    Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y))
+}
+
+/// A point by its bits: corners of one outline are equal to the last.
+pub(super) fn key(p: Point) -> [u64; 2] {
+    [p.x, p.y].map(f64::to_bits)
+}
+
 /// How far a point is from a segment.
 pub(super) fn distance_to(p: Point, [a, b]: [Point; 2]) -> f64 {
     let (x, y) = (b.x - a.x, b.y - a.y);
@@ -111,18 +123,15 @@ pub(super) fn lies_on(p: Point, segment: [Point; 2], tolerance: f64) -> bool {
 /// The sides of the box round some places.
 pub(super) fn sides(places: &[[f64; 2]]) -> [f64; 2] {
     [0, 1].map(|i| {
-        let of = places.iter().map(|place| place[i]);
-        of.clone().fold(f64::NEG_INFINITY, f64::max) - of.fold(f64::INFINITY, f64::min)
+        let [low, high] = range(places.iter().map(|place| place[i]));
+        high - low
     })
 }
 
 /// The longer side of the box round all points.
 pub(super) fn span(points: &[Point]) -> f64 {
-    let side = |of: fn(&Point) -> f64| {
-        let ends = points.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-        (ends.1 - ends.0).max(0.0)
-    };
-    side(|p| p.x).max(side(|p| p.y))
+    let [low, high] = corners(points.iter().copied());
+    (high.x - low.x).max(high.y - low.y).max(0.0)
 }
 
 /// Pairs of points that are left over on both sides and nearest to each other, by position in the two lists.

@@ -15,18 +15,23 @@ use crate::plane::Point;
 /// So many of a kind are told in one sentence.
 pub(super) const GROUP: usize = 4;
 
-/// What a layer of the comparison looks at.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[non_exhaustive]
-pub enum Layer {
-    /// Both files hold the same bytes.
-    Bytes,
-    /// The tables that the files declare in `data-*` attributes.
-    Declared,
-    /// The lines, dots and filled polygons that the files draw.
-    Drawn,
-    /// How the lines hang together, where no point lies where it should.
-    Shape,
+crate::named! {
+    /// What a layer of the comparison looks at.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+    #[non_exhaustive]
+    pub enum Layer {
+        /// Both files hold the same bytes.
+        Bytes = "bytes",
+        /// The tables that the files declare in `data-*` attributes.
+        Declared = "declared",
+        /// The lines, dots and filled polygons that the files draw.
+        Drawn = "drawn",
+        /// How the lines hang together, where no point lies where it should.
+        Shape = "shape",
+    }
+
+    /// Its name as one word.
+    fn word;
 }
 
 impl Layer {
@@ -40,47 +45,27 @@ impl Layer {
             Self::Shape => "shape",
         }
     }
+}
 
-    /// Its name as one word.
-    #[must_use]
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Bytes => "bytes",
-            Self::Declared => "declared",
-            Self::Drawn => "drawn",
-            Self::Shape => "shape",
-        }
+crate::named! {
+    /// What a difference is about; the order of the kinds is the order of the list.
+    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+    #[non_exhaustive]
+    pub enum Kind {
+        /// The drawing as a whole.
+        Drawing = "drawing",
+        /// A vertex.
+        Vertex = "vertex",
+        /// An edge.
+        Edge = "edge",
+        /// A half-edge.
+        HalfEdge = "half-edge",
+        /// A face.
+        Face = "face",
     }
-}
 
-/// What a difference is about; the order of the kinds is the order of the list.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[non_exhaustive]
-pub enum Kind {
-    /// The drawing as a whole.
-    Drawing,
-    /// A vertex.
-    Vertex,
-    /// An edge.
-    Edge,
-    /// A half-edge.
-    HalfEdge,
-    /// A face.
-    Face,
-}
-
-impl Kind {
     /// Its name.
-    #[must_use]
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Drawing => "drawing",
-            Self::Vertex => "vertex",
-            Self::Edge => "edge",
-            Self::HalfEdge => "half-edge",
-            Self::Face => "face",
-        }
-    }
+    fn word;
 }
 
 /// One difference.

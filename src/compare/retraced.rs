@@ -12,7 +12,7 @@
 use super::beside::Extent;
 use super::drawing::{Dot, Drawing};
 use super::painting::{Part, Shape};
-use super::pairing::{Places, distance};
+use super::pairing::{Places, distance, middle};
 use crate::plane::Point;
 use std::borrow::Cow;
 
@@ -96,8 +96,4 @@ fn placed(reference: &Drawing, student: &Drawing) -> Option<(f64, [f64; 2])> {
         |p: &&Point| places.near(Point::new(scale * p.x + shift[0], scale * p.y + shift[1]), reach).is_some();
     let count = expected.iter().filter(is_there).count();
     (scale.is_finite() && count as f64 >= FOUND * expected.len() as f64).then_some((scale, shift))
-}
-
-fn middle([a, b]: [Point; 2]) -> Point {
-    Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y))
 }

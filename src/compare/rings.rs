@@ -8,6 +8,7 @@
 //!   └───────┘
 //! ```
 
+use super::pairing::distance;
 use crate::plane::Point;
 use std::collections::BTreeMap;
 
@@ -117,6 +118,18 @@ pub(super) fn area(points: impl Iterator<Item = Point> + Clone) -> f64 {
     let ahead = points.clone().skip(1);
     let cross = |(p, q): (Point, Point)| (p.x - base.x) * (q.y - base.y) - (p.y - base.y) * (q.x - base.x);
     points.zip(ahead).map(cross).sum()
+}
+
+/// The points beside the middles of the sides of a ring, to the left of them if it runs counter-clockwise: by this part of
+/// how wide the ring is.
+pub(super) fn beside_sides(ring: &[Point], part: f64) -> impl Iterator<Item = Point> + '_ {
+    let twice = area(ring.iter().copied());
+    let sides = || (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()]));
+    let around: f64 = sides().map(|(a, b)| distance(a, b)).sum();
+    sides().filter(|(a, b)| a != b).map(move |(a, b)| {
+        let way = part * twice / (around * distance(a, b));
+        Point::new(0.5 * (a.x + b.x) - way * (b.y - a.y), 0.5 * (a.y + b.y) + way * (b.x - a.x))
+    })
 }
 
 #[cfg(test)]

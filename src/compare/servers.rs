@@ -12,7 +12,7 @@ use super::ink::Ink;
 use super::markup::is_svg;
 use super::numbers::{self, fraction};
 use super::served::{Server, Servers};
-use super::tags::{size, tag};
+use super::tags::{by_id, size, tag};
 use super::tiles;
 use super::values::{is_unread, unworked};
 use crate::figure::canvas::selectors::{Rule, Tag};
@@ -32,14 +32,11 @@ const WORK: usize = 400_000;
 
 impl Servers {
     /// Reads the gradients and patterns of a file. O(size), up to the caps.
-    pub(super) fn read<'a>(document: &'a Document<'_>, rules: &[Rule<'_>]) -> Result<Self, Fault> {
+    pub(super) fn read(document: &Document<'_>, rules: &[Rule<'_>]) -> Result<Self, Fault> {
         let is_server =
             |n: &Node<'_, '_>| matches!(n.tag_name().name(), "linearGradient" | "radialGradient" | "pattern");
         let all = document.descendants().filter(|n| n.is_element() && is_svg(*n) && is_server(n));
-        let mut named: BTreeMap<&str, Node<'a, '_>> = BTreeMap::new();
-        for (id, node) in all.filter_map(|n| Some((n.attribute("id")?, n))) {
-            named.entry(id).or_insert(node);
-        }
+        let named = by_id(all);
         let mut work = Work { rules, done: 0 };
         let mut out = BTreeMap::new();
         for (id, node) in &named {

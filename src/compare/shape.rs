@@ -35,13 +35,10 @@ pub(super) fn rebuild(graph: &Graph) -> Table {
         row.as_ref().filter(|row| row.outgoing.is_none()).map(|_| InnerComponent::Isolated(VertexId::new(v as u32)))
     };
     rings.extend(table.vertices.iter().enumerate().filter_map(alone));
-    let boundary = match rings.first() {
-        Some(&InnerComponent::Cycle(h)) => {
-            rings.remove(0);
-            Some(h)
-        }
-        _ => None,
-    };
+    let boundary = rings.first().and_then(|ring| ring.cycle());
+    if boundary.is_some() {
+        rings.remove(0);
+    }
     table.faces[0] = Some(FaceRow { half_edge: boundary, inner_components: rings, ..FaceRow::default() });
     table.outer_face = Some(FaceId::new(0));
     table

@@ -23,7 +23,7 @@ use super::snap::Snap;
 use super::{drawing, labels, legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
-use crate::topology::{InnerComponent, View, bounded_cycle};
+use crate::topology::{View, bounded_cycle};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A face's outline.
@@ -94,10 +94,7 @@ impl Sketch {
             rings::tidy(&bounded_cycle(table, h).filter_map(|h| Some(placed.ends(h)?[0])).collect::<Vec<_>>())
         };
         for f in faces(table) {
-            let further = table.inner_components(f).iter().filter_map(|ring| match ring {
-                InnerComponent::Cycle(h) => Some(*h),
-                InnerComponent::Isolated(_) => None,
-            });
+            let further = table.inner_components(f).iter().filter_map(|ring| ring.cycle());
             // A hole looks like the paper, and so may the outer face.
             let is_free = table.outer_face == Some(f) || table.is_hole(f);
             for (i, ring) in table.half_edge(f).into_iter().chain(further).map(corners).enumerate() {
@@ -243,19 +240,7 @@ impl Sketch {
                 Area::Face if covers && !corners.iter().any(|&p| snap.is_known(p)) => beside.paper.push(outline.coat),
                 Area::Bar(ends) => {
                     beside.bars.push(outline.coat);
-                    lines.push((
-                        Line {
-                            ends,
-                            half: 0.0,
-                            hidden: outline.hidden,
-                            aside: false,
-                            legend: 0,
-                            shape: u32::MAX,
-                            curved: false,
-                            dashes: [0; 2],
-                        },
-                        ends,
-                    ));
+                    lines.push((Line { hidden: outline.hidden, ..Line::plain(ends, 0.0, u32::MAX) }, ends));
                     numbers.push(Some(ends.map(|p| snap.number(p))));
                 }
                 Area::Paper => beside.paper.push(outline.coat),

@@ -93,11 +93,9 @@ impl<'a> Around<'a> {
 
     /// What has this text for its name.
     pub(super) fn named(&self, text: &str) -> Vec<String> {
-        let has_row = |i: usize, rows: [usize; 3], kind: usize| i < rows[kind];
-        let rows = [self.table.vertices.len(), self.table.half_edges.len(), self.table.faces.len()];
-        let vertex = text.parse::<VertexId>().is_ok_and(|v| has_row(v.index(), rows, 0));
-        let half_edge = text.parse::<HalfEdgeId>().is_ok_and(|h| has_row(h.index(), rows, 1));
-        let face = text.parse::<FaceId>().is_ok_and(|f| has_row(f.index(), rows, 2));
+        let vertex = text.parse::<VertexId>().is_ok_and(|v| v.index() < self.table.vertices.len());
+        let half_edge = text.parse::<HalfEdgeId>().is_ok_and(|h| h.index() < self.table.half_edges.len());
+        let face = text.parse::<FaceId>().is_ok_and(|f| f.index() < self.table.faces.len());
         let by_number = (vertex || half_edge || face).then(|| text.to_owned());
         by_number.into_iter().chain(self.faces.get(text).into_iter().flatten().cloned()).collect()
     }

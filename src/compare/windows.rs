@@ -12,7 +12,7 @@ use super::drawing::Drawing;
 use super::eye::{Eye, contrast};
 use super::frame::Frame;
 use super::painting::{Area, PALE, Painting, Part, Shape};
-use super::pairing::{distance, span};
+use super::pairing::span;
 use super::rings;
 use super::sketch::Sketch;
 use crate::plane::Point;
@@ -92,14 +92,7 @@ impl Faces {
 fn inside(ring: &[Point]) -> Vec<Point> {
     let area = Area::new(&[ring.to_vec()], false);
     let mut out = area.inner_points(&area);
-    let twice = rings::area(ring.iter().copied());
-    let sides = || (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()]));
-    let around: f64 = sides().map(|(a, b)| distance(a, b)).sum();
-    for (a, b) in sides().filter(|(a, b)| a != b).take(SIDES) {
-        let way = WITHIN * twice / (around * distance(a, b));
-        let p = Point::new(0.5 * (a.x + b.x) - way * (b.y - a.y), 0.5 * (a.y + b.y) + way * (b.x - a.x));
-        out.extend(area.covers(p).0.then_some(p));
-    }
+    out.extend(rings::beside_sides(ring, WITHIN).take(SIDES).filter(|&p| area.covers(p).0));
     out
 }
 

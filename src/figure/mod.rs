@@ -88,7 +88,6 @@ pub use structure::pointer::Pointers;
 
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
-use std::io::{self, Write};
 
 /// Why a structure cannot be drawn.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -160,14 +159,6 @@ impl Figure {
     #[must_use]
     pub fn to_svg(&self) -> String {
         canvas::svg_out::document(&self.scene)
-    }
-
-    /// Writes the SVG document.
-    ///
-    /// # Errors
-    /// Those of the writer.
-    pub fn write_svg(&self, mut out: impl Write) -> io::Result<()> {
-        out.write_all(self.to_svg().as_bytes())
     }
 
     /// Width and height of the canvas in px.

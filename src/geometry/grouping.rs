@@ -36,10 +36,11 @@ impl Joined {
         Self((0..count as u32).collect())
     }
 
-    /// Makes one set of the sets of two numbers.
-    pub(crate) fn join(&mut self, a: u32, b: u32) {
+    /// Makes one set of the sets of two numbers. Returns whether they were two.
+    pub(crate) fn join(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b) as usize] = a.min(b);
+        a != b
     }
 
     /// The smallest number of a set.

@@ -10,6 +10,11 @@ pub(crate) struct Interval {
     pub(crate) high: f64,
 }
 
+/// The least and the greatest of some numbers; of none, bounds that hold nothing.
+pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
 impl Interval {
     pub(crate) const fn of(a: f64) -> Self {
         Self { low: a, high: a }
@@ -17,8 +22,7 @@ impl Interval {
 
     /// From the smallest to the largest of the values, each of which may be off by one rounding.
     fn around(values: &[f64]) -> Self {
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [low, high] = range(values.iter().copied());
         Self { low: low.next_down(), high: high.next_up() }
     }
 

@@ -21,7 +21,7 @@ pub(crate) mod number;
 pub(crate) mod places;
 pub(crate) mod point;
 pub mod predicates;
-#[cfg(any(feature = "navmesh", feature = "play", feature = "solid"))]
+#[cfg(any(feature = "navmesh", feature = "play", feature = "solid", test))]
 pub(crate) mod random;
 #[cfg(any(feature = "navmesh", feature = "solid"))]
 pub(crate) mod space;

@@ -140,6 +140,7 @@ pub(crate) fn first_of_equals<const N: usize>(points: &[[f64; N]]) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::random::xorshift;
     use std::collections::BTreeMap;
 
     /// All the work with one sort, in the plainest way.
@@ -153,13 +154,8 @@ mod tests {
     #[test]
     fn places_are_those_of_one_sort_however_the_points_crowd() {
         for seed in 1..200_u64 {
-            let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-            let mut next = |below: u64| {
-                state ^= state << 13;
-                state ^= state >> 7;
-                state ^= state << 17;
-                (state >> 20) % below
-            };
+            let mut random = xorshift(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let mut next = |below: u64| (random() >> 20) % below;
             let kind = seed % 6;
             let count = 1 + next(300);
             let mut points: Vec<Point> = Vec::new();

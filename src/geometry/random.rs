@@ -1,8 +1,22 @@
 //! Numbers that look random and are the same on every machine.
 
+/// The numbers of a seed, for the tests alone.
+///
+/// Source: Marsaglia, *Xorshift RNGs*, 2003.
+#[cfg(test)]
+pub(crate) fn xorshift(mut state: u64) -> impl FnMut() -> u64 {
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state
+    }
+}
+
 /// The next 64 bits.
 ///
 /// Source: SplitMix64, Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014.
+#[cfg(any(feature = "navmesh", feature = "play", feature = "solid"))]
 pub(crate) fn next(state: &mut u64) -> u64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let mut z = *state;

@@ -232,13 +232,16 @@ impl From<Inner> for InnerComponent {
     }
 }
 
+/// The place of every vertex, by number.
+fn places<P>(dcel: &Dcel, point: impl Fn(VertexId) -> P) -> impl Iterator<Item = Option<P>> {
+    let all = (0..dcel.vertex_bound() as u32).map(VertexId::new);
+    all.map(move |v| dcel.has_vertex(v).then(|| point(v)))
+}
+
 impl Serialize for Subdivision {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let dcel = self.topology();
-        let points = || {
-            let all = (0..dcel.vertex_bound() as u32).map(VertexId::new);
-            all.map(|v| dcel.has_vertex(v).then(|| self.point(v)))
-        };
+        let points = || places(dcel, |v| self.point(v));
         let components = || {
             let listed = dcel.faces().map(|f| (f, self.inner_components(f))).filter(|(_, rings)| !rings.is_empty());
             listed.map(|(f, rings)| (f, rings.iter().map(|&ring| Inner::from(ring)).collect::<Vec<_>>()))
@@ -309,10 +312,7 @@ impl<'de> Deserialize<'de> for Subdivision {
 impl Serialize for Polyhedron {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let dcel = self.topology();
-        let points = || {
-            let all = (0..dcel.vertex_bound() as u32).map(VertexId::new);
-            all.map(|v| dcel.has_vertex(v).then(|| self.point(v)))
-        };
+        let points = || places(dcel, |v| self.point(v));
         let mut record = serializer.serialize_struct("Polyhedron", 4)?;
         record.serialize_field("polyhedron", &VERSION)?;
         record.serialize_field("structure", dcel)?;

@@ -185,9 +185,7 @@ impl<'a> Blocks<'a> {
         match read {
             Ok(read) => self.has_ended = read < wanted || wanted == 0,
             Err(error) if error.kind() == io::ErrorKind::OutOfMemory => return Err(too_little(&self.buffer)),
-            Err(error) => {
-                return Err(ReadError::whole(self.source, ReadProblem::Io { reason: error.to_string() }, ""));
-            }
+            Err(error) => return Err(failed(self.source)(error)),
         }
         Ok(())
     }
@@ -225,16 +223,7 @@ impl<'a> Blocks<'a> {
             self.note = if self.has_zero { None } else { note_of_the_last_line(bytes, self.line, self.separators) };
         }
         let left = self.length.map_or(bytes.len(), |length| length.saturating_sub(self.base).max(bytes.len()));
-        Ok(Some(Block {
-            bytes,
-            base: self.base,
-            line: self.line,
-            is_last: self.is_done,
-            left,
-            is_part: !is_whole,
-            source: self.source,
-            stage: Arc::clone(&self.stage),
-        }))
+        Ok(Some(Block { left, ..self.same() }))
     }
 
     /// Leaves the block and moves to the next.
@@ -292,8 +281,6 @@ impl<'a> Blocks<'a> {
             let kept = blocks.buffer.get(blocks.given..).unwrap_or_default();
             blocks.line_ends + count(kept, b'\n') + count(kept, b'\r')
         };
-        let failed =
-            |error: io::Error| ReadError::whole(self.source, ReadProblem::Io { reason: error.to_string() }, "");
         let Origin::Again(from) = &mut self.origin else {
             self.rest()?;
             return Ok(in_memory(self));
@@ -302,14 +289,14 @@ impl<'a> Blocks<'a> {
         let (mut found, mut length) = (0, 0);
         loop {
             piece.clear();
-            let read = from.take(PIECE as u64).read_to_end(&mut piece).map_err(failed)?;
+            let read = from.take(PIECE as u64).read_to_end(&mut piece).map_err(failed(self.source))?;
             found += count(&piece, b'\n') + count(&piece, b'\r');
             length += read as i64;
             if read < PIECE {
                 break;
             }
         }
-        from.seek(SeekFrom::Current(-length)).map_err(failed)?;
+        from.seek(SeekFrom::Current(-length)).map_err(failed(self.source))?;
         Ok(found + in_memory(self))
     }
 
@@ -321,9 +308,7 @@ impl<'a> Blocks<'a> {
         match &mut self.origin {
             Origin::Once(_) => return Ok(false),
             Origin::Whole(_) => {}
-            Origin::Again(from) => from
-                .rewind()
-                .map_err(|error| ReadError::whole(self.source, ReadProblem::Io { reason: error.to_string() }, ""))?,
+            Origin::Again(from) => from.rewind().map_err(failed(self.source))?,
         }
         let origin = std::mem::replace(&mut self.origin, Origin::Whole(&[]));
         let (joins, separators) = (self.joins, self.separators);
@@ -353,6 +338,11 @@ impl<'a> Blocks<'a> {
     pub(super) fn line_ends_so_far(&self) -> usize {
         self.line_ends
     }
+}
+
+/// The error that the machine cannot read on.
+fn failed(source: &str) -> impl Fn(io::Error) -> ReadError + use<'_> {
+    |error| ReadError::whole(source, ReadProblem::Io { reason: error.to_string() }, "")
 }
 
 fn count(bytes: &[u8], wanted: u8) -> usize {

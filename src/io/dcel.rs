@@ -188,8 +188,7 @@ impl Reader<'_> {
         };
         if let Some(x) = next.filter(looks_like_number) {
             let x = scanner.coordinate('x', x)?;
-            let y = scanner.need(|| format!("the y of {id}"))?;
-            row.position = Some([x, scanner.coordinate('y', y)?]);
+            row.position = Some([x, scanner.need_coordinate('y', || id.to_string())?]);
             next = scanner.word();
         }
         if let Some(word) = next {
@@ -329,9 +328,7 @@ fn inner_components(scanner: &mut Scanner<'_>) -> Result<Vec<InnerComponent>, Re
 fn name(scanner: &mut Scanner<'_>) -> Result<String, ReadError> {
     let word = scanner.need(|| "a text in quotes".to_owned())?;
     let help = "write a name such as \"Ohio\"";
-    let text = std::str::from_utf8(word.text)
-        .map_err(|_| scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text"))?;
-    match text.strip_prefix('"') {
+    match scanner.text(word)?.strip_prefix('"') {
         Some(inside) => unescape(inside).ok_or_else(|| {
             let help = "close the text with a quote; in it, write \\\" \\\\ \\n \\r \\t and no other word with \\";
             scanner.expected(word, "a text in quotes", help)
@@ -358,9 +355,7 @@ fn id<I: Id + FromStr<Err = ParseIdError>>(scanner: &Scanner<'_>, word: Word<'_>
 /// An id with more digits than [`short_number`] takes, or what is wrong with it.
 #[cold]
 fn long_id<I: Id + FromStr<Err = ParseIdError>>(scanner: &Scanner<'_>, word: Word<'_>) -> Result<I, ReadError> {
-    let text = std::str::from_utf8(word.text)
-        .map_err(|_| scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text"))?;
-    text.parse().map_err(|error: ParseIdError| {
+    scanner.text(word)?.parse().map_err(|error: ParseIdError| {
         let problem = ReadProblem::UnknownWord { word: word.show() };
         scanner.error(word.at, problem, error.to_string())
     })
@@ -389,10 +384,7 @@ fn unknown_word(scanner: &Scanner<'_>, word: Word<'_>, words: &[&str]) -> ReadEr
 
 #[cold]
 fn unknown(scanner: &Scanner<'_>, word: Word<'_>, help: String) -> ReadError {
-    if std::str::from_utf8(word.text).is_err() {
-        return scanner.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
-    }
-    scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help)
+    scanner.wrong(word, ReadProblem::UnknownWord { word: word.show() }, help)
 }
 
 /// The number of at most nine digits behind the letter.

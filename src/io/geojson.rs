@@ -153,9 +153,7 @@ impl Reader<'_> {
             kind => Err(shape(path, format!("a geometry, not the type {kind:?}")).into()),
         }
     }
-}
 
-impl Reader<'_> {
     /// Reads positions in so many arrays; the innermost ones are chains, of which those of polygons are closed.
     fn positions(
         &mut self,

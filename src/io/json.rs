@@ -8,7 +8,7 @@ use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
 use super::nodes::{Fault, Node, shape};
 use super::problem::{ReadError, ReadProblem};
-use super::text::{check_text, line_and_column, lines_and_columns};
+use super::text::{check_text, line_and_column};
 use super::{geojson, topojson};
 use std::borrow::Cow;
 
@@ -37,10 +37,7 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
             return Ok(Read { document: Document::Segments(soup.checked()?), notes, format });
         }
     };
-    let soup = rings.finish(source, options, |offsets| lines_and_columns(bytes, offsets), &mut notes).map_err(named)?;
-    if soup.faces.face_count() == 0 {
-        notes.push("the file holds no polygon".to_owned());
-    }
+    let soup = rings.finish(source, options, bytes, &mut notes).map_err(named)?;
     Ok(Read { document: Document::Polygons(soup), notes, format })
 }
 

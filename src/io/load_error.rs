@@ -142,10 +142,4 @@ impl LoadError {
             Self::Table { error, .. } => error.to_string(),
         }
     }
-
-    /// Whether the file was read and its contents are at fault, not its syntax.
-    #[must_use]
-    pub const fn is_about_structure(&self) -> bool {
-        !matches!(self, Self::Read(_))
-    }
 }

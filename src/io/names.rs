@@ -1,6 +1,5 @@
 //! Ids as text formats write them.
 
-use crate::topology::InnerComponent;
 use std::fmt;
 
 /// An id, or `none`.
@@ -11,18 +10,6 @@ impl<T: fmt::Display> fmt::Display for Pointer<T> {
         match &self.0 {
             Some(id) => id.fmt(f),
             None => f.write_str("none"),
-        }
-    }
-}
-
-/// An inner component by its half-edge or its vertex.
-pub(super) struct RingName(pub(super) InnerComponent);
-
-impl fmt::Display for RingName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            InnerComponent::Cycle(h) => h.fmt(f),
-            InnerComponent::Isolated(v) => v.fmt(f),
         }
     }
 }

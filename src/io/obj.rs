@@ -189,8 +189,7 @@ fn point(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, gives_z: &mut bool) 
     let number = soup.points.len() + 1;
     let mut point = [0.0; 3];
     for (value, axis) in point.iter_mut().zip(['x', 'y']) {
-        let word = scanner.need(|| format!("the {axis} of vertex {number}"))?;
-        *value = scanner.coordinate(axis, word)?;
+        *value = scanner.need_coordinate(axis, || format!("vertex {number}"))?;
     }
     if let Some(word) = scanner.word() {
         point[2] = scanner.coordinate('z', word)?;

@@ -237,13 +237,12 @@ fn header(scanner: &mut Scanner<'_>, word: Word<'_>) -> Result<(), ReadError> {
     }
 }
 
-fn point<'a>(scanner: &mut Scanner<'a>, soup: &mut SoupBuilder, mut word: Word<'a>, i: u64) -> Result<(), ReadError> {
+fn point<'a>(scanner: &mut Scanner<'a>, soup: &mut SoupBuilder, word: Word<'a>, i: u64) -> Result<(), ReadError> {
     let line = scanner.line();
     let mut point = [0.0; 3];
     point[0] = scanner.coordinate('x', word)?;
     for (value, axis) in point[1..].iter_mut().zip(['y', 'z']) {
-        word = scanner.need(|| format!("the {axis} of vertex {i}"))?;
-        *value = scanner.coordinate(axis, word)?;
+        *value = scanner.need_coordinate(axis, || format!("vertex {i}"))?;
     }
     while let Some(word) = scanner.word() {
         scanner.number(word)?;

@@ -12,14 +12,14 @@ use super::announced::Announced;
 use super::blocks::Blocks;
 use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
-use super::problem::{ReadError, ReadProblem};
+use super::problem::ReadError;
 use super::read::{format_of, open, read_opened, source_name};
 use super::room::{reserved, too_little};
-use super::soup::{SegmentSoup, SoupBuilder};
+use super::soup::{SegmentSoup, SoupBuilder, check_counts};
 use super::text::{Scanner, Syntax, note_of_the_end};
 use super::triangle;
 use crate::geometry::places::first_of_equals;
-use crate::ids::{MAX_IDS, VertexId};
+use crate::ids::VertexId;
 use crate::plane::Point;
 use crate::topology::View;
 use std::path::Path;
@@ -197,10 +197,7 @@ pub(super) fn plain(blocks: &mut Blocks<'_>) -> Result<PointList, ReadError> {
         announced.check(list.points.len(), "points", source)?;
     }
     list.notes.extend(blocks.note());
-    if list.points.len() > MAX_IDS {
-        let problem = ReadProblem::TooLarge { what: "points", limit: MAX_IDS as u64 };
-        return Err(ReadError::whole(source, problem, ""));
-    }
+    check_counts(&[(list.points.len(), "points")]).map_err(|problem| ReadError::whole(source, problem, ""))?;
     Ok(list)
 }
 

@@ -23,9 +23,8 @@ use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::soup::{SegmentSoup, SoupBuilder};
 use super::text::Scanner;
-use super::triangle::{File, SYNTAX, attributes, no_more, nodes, optional_count, points, record};
+use super::triangle::{File, SYNTAX, attributes, no_more, nodes, optional_count, points, position, record};
 use super::words::counted;
-use crate::plane::Point;
 
 /// Reads a file, with the `.node` file beside it if there is one. O(length).
 pub(super) fn read(poly: File<'_>, node: Option<File<'_>>) -> Result<Read, ReadError> {
@@ -71,8 +70,7 @@ pub(super) fn read(poly: File<'_>, node: Option<File<'_>>) -> Result<Read, ReadE
 }
 
 fn segments(scanner: &mut Scanner<'_>, soup: &mut SegmentSoup, first_point: i64) -> Result<(), ReadError> {
-    let word = scanner.need_anywhere(|| "the number of segments".to_owned())?;
-    let count = scanner.count(word)?;
+    let count = scanner.need_count("the number of segments")?;
     let extra = optional_count(scanner)?;
     scanner.end_of_line("this line holds the numbers of segments and of markers")?;
     let points = soup.points.len() as u64;
@@ -91,18 +89,14 @@ fn segments(scanner: &mut Scanner<'_>, soup: &mut SegmentSoup, first_point: i64)
 }
 
 fn holes(scanner: &mut Scanner<'_>, soup: &mut SegmentSoup, first_point: i64) -> Result<(), ReadError> {
-    let word = scanner.need_anywhere(|| "the number of holes".to_owned())?;
-    let count = scanner.count(word)?;
+    let count = scanner.need_count("the number of holes")?;
     scanner.end_of_line("this line holds the number of holes")?;
     let mut first = first_point;
     for i in 0..count {
         let line = record(scanner, i, count, &mut first, "hole")?;
-        let word = scanner.need(|| format!("the x of hole {i}"))?;
-        let x = scanner.coordinate('x', word)?;
-        let word = scanner.need(|| format!("the y of hole {i}"))?;
-        let y = scanner.coordinate('y', word)?;
+        let place = position(scanner, i, "hole")?;
         scanner.end_of_line("a hole is its number, x and y")?;
-        soup.hole_points.push(Point::new(x, y));
+        soup.hole_points.push(place.into());
         soup.hole_lines.push(line);
     }
     Ok(())

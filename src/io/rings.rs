@@ -16,7 +16,7 @@ use super::nodes::Fault;
 use super::problem::ReadProblem;
 use super::repaired::Repaired;
 use super::soup::{Places, PolygonSoup, SegmentSoup, check_sizes};
-use super::text::LineCounter;
+use super::text::{LineCounter, lines_and_columns};
 use super::words::counted;
 use crate::geometry::number::Number;
 use crate::geometry::places::first_of_equals;
@@ -163,12 +163,12 @@ impl Rings {
 
     /// Joins equal points and makes the faces. If the options say so, rings that enclose nothing are dropped and noted: an
     /// outer ring with its polygon, or by itself. Else those with fewer than three distinct points are an error, and those
-    /// on a line are left to the builder. `places` tells the lines and columns of bytes of the file.
+    /// on a line are left to the builder. `bytes` are those of the file.
     pub(super) fn finish(
         self,
         source: &str,
         options: &ReadOptions,
-        places: impl Fn(&[u32]) -> Vec<[u32; 2]>,
+        bytes: &[u8],
         notes: &mut Vec<String>,
     ) -> Result<PolygonSoup, Fault> {
         let mut faces = Faces { same_as: first_of_equals(&self.points), ..Faces::default() };
@@ -233,7 +233,7 @@ impl Rings {
             }
         }
         check_sizes(soup.points.len(), &soup.faces)?;
-        soup.places.ring_places = places(&offsets);
+        soup.places.ring_places = lines_and_columns(bytes, &offsets);
         if !dropped.is_empty() {
             soup.places.ring_numbers = numbers;
         }
@@ -246,6 +246,9 @@ impl Rings {
         );
         self.closed.note_closed(notes);
         soup.mended_rings = dropped.len() + self.closed.count();
+        if soup.faces.face_count() == 0 {
+            notes.push("the file holds no polygon".to_owned());
+        }
         Ok(soup)
     }
 

@@ -333,13 +333,8 @@ impl SegmentSoup {
     /// Refuses more points or segments than there are ids.
     pub(super) fn checked(self) -> Result<Self, ReadError> {
         let counts = [(self.points.len(), "points"), (2 * self.segments.len(), "half-edges")];
-        match counts.into_iter().find(|&(count, _)| count > MAX_IDS) {
-            Some((_, what)) => {
-                let problem = ReadProblem::TooLarge { what, limit: MAX_IDS as u64 };
-                Err(ReadError::whole(&self.source, problem, ""))
-            }
-            None => Ok(self),
-        }
+        check_counts(&counts).map_err(|problem| ReadError::whole(&self.source, problem, ""))?;
+        Ok(self)
     }
 
     /// Where a segment stands: `roads.wkt:12`, and of what it is a side, if the format tells:
@@ -437,8 +432,13 @@ impl SoupBuilder {
 /// Refuses more points, faces or corners than there are ids.
 pub(super) fn check_sizes(points: usize, faces: &PolygonList) -> Result<(), ReadProblem> {
     let counts = [(points, "points"), (faces.face_count(), "faces"), (faces.corner_count(), "corners of faces")];
-    match counts.into_iter().find(|&(count, _)| count > MAX_IDS) {
-        Some((_, what)) => Err(ReadProblem::TooLarge { what, limit: MAX_IDS as u64 }),
+    check_counts(&counts)
+}
+
+/// Refuses more of one kind than there are ids.
+pub(super) fn check_counts(counts: &[(usize, &'static str)]) -> Result<(), ReadProblem> {
+    match counts.iter().find(|&&(count, _)| count > MAX_IDS) {
+        Some(&(_, what)) => Err(ReadProblem::TooLarge { what, limit: MAX_IDS as u64 }),
         None => Ok(()),
     }
 }

@@ -132,8 +132,7 @@ fn text(bytes: &[u8], source: &str) -> Result<Corners, ReadError> {
             let line = scanner.line();
             let mut point = [0.0; 3];
             for (value, axis) in point.iter_mut().zip(['x', 'y', 'z']) {
-                let word = scanner.need(|| format!("the {axis} of a vertex"))?;
-                *value = scanner.coordinate(axis, word)?;
+                *value = scanner.need_coordinate(axis, || "a vertex".to_owned())?;
             }
             corners.push((point, line));
         }

@@ -21,8 +21,9 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2.
 
 use super::model::Model;
-use super::names::{Pointer, RingName};
+use super::names::Pointer;
 use crate::geometry::number::Number;
+use crate::ids::Element;
 use crate::topology::InnerComponent;
 use std::io::{self, Write};
 
@@ -71,7 +72,7 @@ fn faces(out: &mut impl Write, model: &Model<'_>) -> io::Result<()> {
         if view.outer_face() == Some(f) {
             inner.splice(0..0, outer.take().map(InnerComponent::Cycle));
         }
-        let inner = inner.into_iter().map(|ring| RingName(ring).to_string()).collect::<Vec<_>>().join(", ");
+        let inner = inner.into_iter().map(|ring| Element::from(ring).to_string()).collect::<Vec<_>>().join(", ");
         let inner = if inner.is_empty() { "none".to_owned() } else { inner };
         let mut row = vec![f.to_string(), Pointer(outer).to_string(), inner];
         if names {

@@ -365,19 +365,15 @@ impl<'a> Scanner<'a> {
     /// The next word of this line, or an error that names what is missing.
     #[inline]
     pub(super) fn need(&mut self, wanted: impl FnOnce() -> String) -> Result<Word<'a>, ReadError> {
-        match self.word() {
-            Some(word) => Ok(word),
-            None => Err(self.missing(wanted())),
-        }
+        let word = self.word();
+        word.ok_or_else(|| self.missing(wanted()))
     }
 
     /// The next word in this line or a later one, or an error that names what is missing.
     #[inline]
     pub(super) fn need_anywhere(&mut self, wanted: impl FnOnce() -> String) -> Result<Word<'a>, ReadError> {
-        match self.word_anywhere() {
-            Some(word) => Ok(word),
-            None => Err(self.missing(wanted())),
-        }
+        let word = self.word_anywhere();
+        word.ok_or_else(|| self.missing(wanted()))
     }
 
     /// The error that `wanted` is missing here.
@@ -409,19 +405,38 @@ impl<'a> Scanner<'a> {
         wanted: impl Into<Cow<'static, str>>,
         help: impl Into<Cow<'static, str>>,
     ) -> ReadError {
-        if std::str::from_utf8(word.text).is_err() {
-            return self.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
-        }
         let found = format!("`{}`", word.show());
-        self.error(word.at, ReadProblem::Expected { wanted: wanted.into(), found }, help)
+        self.wrong(word, ReadProblem::Expected { wanted: wanted.into(), found }, help)
     }
 
     #[cold]
     fn not_a_number(&self, word: Word<'_>, wanted: &'static str, help: &'static str) -> ReadError {
-        if std::str::from_utf8(word.text).is_err() {
-            return self.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
-        }
-        self.error(word.at, ReadProblem::NotANumber { word: word.show(), wanted }, help)
+        self.wrong(word, ReadProblem::NotANumber { word: word.show(), wanted }, help)
+    }
+
+    /// What is wrong with a word, or that it is no text at all.
+    #[cold]
+    pub(super) fn wrong(&self, word: Word<'_>, what: ReadProblem, help: impl Into<Cow<'static, str>>) -> ReadError {
+        self.text(word).map_or_else(|error| error, |_| self.error(word.at, what, help))
+    }
+
+    /// The word as text.
+    pub(super) fn text<'w>(&self, word: Word<'w>) -> Result<&'w str, ReadError> {
+        let not_text = |_| self.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
+        std::str::from_utf8(word.text).map_err(not_text)
+    }
+
+    /// The next word, wherever it stands, as a count.
+    pub(super) fn need_count(&mut self, wanted: &'static str) -> Result<u64, ReadError> {
+        let word = self.need_anywhere(|| wanted.to_owned())?;
+        self.count(word)
+    }
+
+    /// The next word of the line as a coordinate: the one along this axis of something.
+    #[inline]
+    pub(super) fn need_coordinate(&mut self, axis: char, of: impl FnOnce() -> String) -> Result<f64, ReadError> {
+        let word = self.need(|| format!("the {axis} of {}", of()))?;
+        self.coordinate(axis, word)
     }
 
     /// The word as a number.

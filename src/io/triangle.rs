@@ -50,8 +50,7 @@ pub(super) fn nodes(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result
 
 /// Reads the points; returns the number of the first one.
 pub(super) fn points(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result<i64, ReadError> {
-    let word = scanner.need_anywhere(|| "the number of points".to_owned())?;
-    let count = scanner.count(word)?;
+    let count = scanner.need_count("the number of points")?;
     let word = scanner.need(|| "the dimension, 2".to_owned())?;
     if scanner.integer(word)? != 2 {
         let what = "a .node file whose dimension is not 2 (TetGen)";
@@ -63,10 +62,7 @@ pub(super) fn points(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Resul
     let mut first = 0;
     for i in 0..count {
         let line = record(scanner, i, count, &mut first, "point")?;
-        let word = scanner.need(|| format!("the x of point {i}"))?;
-        let x = scanner.coordinate('x', word)?;
-        let word = scanner.need(|| format!("the y of point {i}"))?;
-        let y = scanner.coordinate('y', word)?;
+        let [x, y] = position(scanner, i, "point")?;
         attributes(scanner, extra)?;
         soup.point([x, y, 0.0], line);
     }
@@ -74,8 +70,7 @@ pub(super) fn points(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Resul
 }
 
 fn triangles(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, first_point: i64) -> Result<(), ReadError> {
-    let word = scanner.need_anywhere(|| "the number of triangles".to_owned())?;
-    let count = scanner.count(word)?;
+    let count = scanner.need_count("the number of triangles")?;
     let word = scanner.need(|| "the number of corners of a triangle, 3".to_owned())?;
     let refused = match scanner.integer(word)? {
         3 => None,
@@ -126,6 +121,12 @@ pub(super) fn record(
         return Err(scanner.expected(word, format!("the number {} of the next {what}", *first + i as i64), help));
     }
     Ok(scanner.line())
+}
+
+/// The x and the y of a record.
+pub(super) fn position(scanner: &mut Scanner<'_>, i: u64, what: &str) -> Result<[f64; 2], ReadError> {
+    let x = scanner.need_coordinate('x', || format!("{what} {i}"))?;
+    Ok([x, scanner.need_coordinate('y', || format!("{what} {i}"))?])
 }
 
 pub(super) fn attributes(scanner: &mut Scanner<'_>, count: u64) -> Result<(), ReadError> {

@@ -28,7 +28,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::repaired::Repaired;
 use super::rings::Rings;
 use super::soup::SegmentSoup;
-use super::text::{check_text, line_and_column, lines_and_columns};
+use super::text::{check_text, line_and_column};
 use super::words::counted;
 use crate::plane::check_coordinate;
 
@@ -177,11 +177,7 @@ impl<'a> Reader<'a> {
             let soup = SegmentSoup { mended_rings: self.closed.count(), ..self.soup };
             return Ok(Read { document: Document::Segments(soup.checked()?), notes, format });
         };
-        let soup = rings.finish(source, options, |offsets| lines_and_columns(bytes, offsets), &mut notes);
-        let soup = soup.map_err(|fault| named(fault, bytes, source))?;
-        if soup.faces.face_count() == 0 {
-            notes.push("the file holds no polygon".to_owned());
-        }
+        let soup = rings.finish(source, options, bytes, &mut notes).map_err(|fault| named(fault, bytes, source))?;
         Ok(Read { document: Document::Polygons(soup), notes, format })
     }
 

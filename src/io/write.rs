@@ -6,12 +6,13 @@
 use super::dcel::quote;
 use super::format::Format;
 use super::model::{Model, Polygons};
-use super::names::{Pointer, RingName};
+use super::names::Pointer;
 use super::words::counted;
 use super::write_error::WriteError;
 use super::{mesh, stl, tables};
 use crate::files::WholeFile;
 use crate::geometry::number::Number;
+use crate::ids::Element;
 use crate::progress::Stage;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -242,7 +243,7 @@ fn dcel(out: &mut impl Write, model: &Model<'_>) -> io::Result<()> {
         write!(out, "{f}{outer} half_edge {} inner", Pointer(view.half_edge(f)))?;
         match view.inner_components(f) {
             [] => write!(out, " none")?,
-            rings => rings.iter().try_for_each(|&ring| write!(out, " {}", RingName(ring)))?,
+            rings => rings.iter().try_for_each(|&ring| write!(out, " {}", Element::from(ring)))?,
         }
         if view.is_hole(f) {
             write!(out, " hole")?;

@@ -10,6 +10,8 @@ use super::grid::{GAP, Grid, LAST, NOTHING, SEVERAL, slot_of};
 use super::hole_edges::HoleEdge;
 use super::marks::{CLOSED, ID};
 use super::slivers::Slivers;
+use crate::geometry::grouping::Groups;
+use crate::geometry::point::corners;
 use crate::ids::FaceId;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
@@ -196,12 +198,8 @@ impl Grid {
     /// Appends for each cell into which a face reaches that face, and the holes behind its sides that reach there.
     fn list(&self, mesh: &NavMesh, f: FaceId, corners: &[Point], entries: &mut Vec<(u32, u32)>) {
         self.visit_cells(corners, |cell| entries.push((cell, f.number())));
-        for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-            let hole = side.across & ID;
-            if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(hole)) {
-                let (ends, name) = (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.hole_name(hole));
-                self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
-            }
+        for (ends, name) in hole_sides(mesh, f) {
+            self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
         }
     }
 
@@ -217,20 +215,12 @@ impl Grid {
         let by_edge = self.hole_cells.iter();
         pairs.extend(by_edge.flat_map(|&(cell, i)| self.hole_edges[i as usize].holes.map(|hole| (cell, GAP | hole))));
         let cells = self.columns * self.rows;
-        let mut ends = vec![0u32; cells + 1];
-        pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
-        (0..cells).for_each(|cell| ends[cell + 1] += ends[cell]);
-        let mut sorted = vec![0u32; pairs.len()];
-        let mut at = ends.clone();
-        for (cell, item) in pairs {
-            sorted[at[cell as usize] as usize] = item;
-            at[cell as usize] += 1;
-        }
+        let by_cell = Groups::new(cells, pairs.iter().map(|&(cell, item)| (cell as usize, item)));
         self.cells = Vec::with_capacity(cells);
-        self.items = Vec::with_capacity(sorted.len());
+        self.items = Vec::with_capacity(pairs.len());
         for cell in 0..cells {
             let start = self.items.len();
-            let here = &sorted[ends[cell] as usize..ends[cell + 1] as usize];
+            let here = by_cell.of(cell);
             self.items.extend(here.iter().filter(|&&item| item & GAP == 0));
             let mut holes = here.iter().copied().filter(|&item| item & GAP != 0);
             if let Some(first) = holes.next() {
@@ -305,29 +295,18 @@ impl Grid {
     fn hole_by_ray(&self, mesh: &NavMesh, p: Point, [column, row]: [usize; 2]) -> u32 {
         let mut nearest: Option<([Point; 2], u32)> = None;
         for column in (0..=column).rev() {
-            for f in self.faces([column, row]) {
-                let f = FaceId::new(f);
-                for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-                    let hole = side.across & ID;
-                    if side.across & CLOSED == 0 || mesh.has_face(FaceId::new(hole)) {
-                        continue;
-                    }
-                    let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
-                    // With the hole on its right, towards p, the border runs up.
-                    let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
-                    if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                        nearest = Some(([a, b], mesh.hole_name(hole)));
-                    }
-                }
-            }
+            let sides = self.faces([column, row]).flat_map(|f| hole_sides(mesh, FaceId::new(f)));
             let cell = (row * self.columns + column) as u32;
             let first = self.hole_cells.partition_point(|&(other, _)| other < cell);
-            for &(_, i) in self.hole_cells[first..].iter().take_while(|&&(other, _)| other == cell) {
+            let edges = self.hole_cells[first..].iter().take_while(|&&(other, _)| other == cell).map(|&(_, i)| {
                 let edge = &self.hole_edges[i as usize];
-                let [a, b] = edge.points(mesh);
+                (edge.points(mesh), edge.holes[1])
+            });
+            for ([a, b], hole) in sides.chain(edges) {
+                // With the hole on its right, towards p, the border runs up.
                 let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
                 if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                    nearest = Some(([a, b], edge.holes[1]));
+                    nearest = Some(([a, b], hole));
                 }
             }
             // Whatever is met right of the left side of this cell has been seen by now.
@@ -342,12 +321,20 @@ impl Grid {
     }
 }
 
+/// The sides of a face behind which is a hole, each with the name of that.
+fn hole_sides(mesh: &NavMesh, f: FaceId) -> impl Iterator<Item = ([Point; 2], u32)> + '_ {
+    mesh.sides_of(f).iter().zip(mesh.range(f)).filter_map(move |(side, s)| {
+        let hole = side.across & ID;
+        let is_hole = side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(hole));
+        is_hole.then(|| (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.hole_name(hole)))
+    })
+}
+
 /// The widths and the heights of all faces and edges between holes, added. O(n).
 fn extents(mesh: &NavMesh, hole_edges: &[HoleEdge]) -> [f64; 2] {
-    let of = |corners: &mut dyn Iterator<Item = Point>| {
-        let none = [f64::INFINITY, f64::NEG_INFINITY];
-        let wide = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
-        corners.fold([none; 2], |[x, y], p| [wide(x, p.x), wide(y, p.y)]).map(|[low, high]| high - low)
+    let of = |points: &mut dyn Iterator<Item = Point>| {
+        let [low, high] = corners(points);
+        [high.x - low.x, high.y - low.y]
     };
     let faces = mesh.faces().map(|f| of(&mut mesh.corners(f).map(|v| mesh.point(v))));
     let edges = hole_edges.iter().map(|edge| of(&mut edge.points(mesh).into_iter()));

@@ -52,11 +52,10 @@ pub struct RayHit {
     pub distance: f64,
 }
 
-impl Raycast {
-    fn enter(&mut self, face: FaceId) {
-        if self.faces.last() != Some(&face) {
-            self.faces.push(face);
-        }
+/// Notes that a ray has entered a face, unless it is in it already.
+pub(super) fn enter(faces: &mut Vec<FaceId>, face: FaceId) {
+    if faces.last() != Some(&face) {
+        faces.push(face);
     }
 }
 
@@ -149,11 +148,11 @@ impl NavMesh {
                     };
                     let (half_edge, distance) = (self.half_edges[side], distance(place.point, point));
                     cast.hit = Some(RayHit { half_edge, face, vertex, point, distance });
-                    cast.enter(face);
+                    enter(&mut cast.faces, face);
                     return Ok(cast);
                 }
             };
-            cast.enter(face);
+            enter(&mut cast.faces, face);
             if self.spot_in(face, q).is_some() {
                 return Ok(cast);
             }

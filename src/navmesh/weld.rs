@@ -13,8 +13,9 @@
 //! other never meet.
 
 use super::fault::MeshFault;
-use crate::plane::predicates::orientation;
-use crate::plane::{Point, check_coordinate};
+use crate::geometry::grouping::grouped;
+use crate::geometry::space::{are_collinear, between, check_place};
+use crate::plane::Point;
 use crate::topology::PolygonList;
 
 /// A point in space; the third coordinate is the height, 0 for a map of the plane.
@@ -102,8 +103,7 @@ pub fn weld(points: &[Point], faces: &PolygonList, distance: f64) -> Welded {
 /// ```
 #[must_use]
 pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) -> Welded {
-    let is_number = |p: &Space| ['x', 'y', 'z'].into_iter().zip(p).all(|(axis, &x)| check_coordinate(axis, x).is_ok());
-    let is_sound = |&v: &u32| points.get(v as usize).is_some_and(is_number);
+    let is_sound = |&v: &u32| points.get(v as usize).is_some_and(|&p| check_place(p).is_ok());
     let used = sorted(faces.corners().iter().copied().filter(is_sound).collect());
     let grid = PointGrid::new(points, used);
     let mut result =
@@ -112,7 +112,7 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
     for &v in &grid.vertices {
         let mut best: Option<(f64, u32)> = None;
         grid.near(points, [points[v as usize]; 2], distance, |u| {
-            let apart = distance_of(points[v as usize], points[u as usize]);
+            let apart = between(points[v as usize], points[u as usize]);
             if u < v && stands_for[u as usize] == u && apart <= distance && best.is_none_or(|best| (apart, u) < best) {
                 best = Some((apart, u));
             }
@@ -165,7 +165,7 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
             grid.near(points, [p, q], distance, |v| {
                 let at = points[v as usize];
                 let (along, apart) = along_and_apart([p, q], at);
-                let exact = are_on_a_line(p, q, at);
+                let exact = are_collinear(p, q, at);
                 let inside = along > 0.0 && along < 1.0 && ![p, q].contains(&at);
                 if inside && (apart <= distance || exact) && !cycle.contains(&v) {
                     found.push(Beside { v, apart: if exact { 0.0 } else { apart }, side, along });
@@ -221,7 +221,7 @@ pub(super) fn near_misses_along(
     // How far away something may be of a side, and of a vertex: of the shortest side there.
     let reach = |side: &BorderSide| {
         let [a, b] = side.ends.map(|v| points[v as usize]);
-        most.min(OF_SIDES * distance_of(a, b))
+        most.min(OF_SIDES * between(a, b))
     };
     let mut reach_of = vec![most; points.len()];
     for side in border {
@@ -231,7 +231,7 @@ pub(super) fn near_misses_along(
     let mut nearest: Vec<Option<(f64, u32)>> = vec![None; points.len()];
     for &v in &grid.vertices {
         grid.near(points, [points[v as usize]; 2], reach_of[v as usize], |u| {
-            let apart = distance_of(points[v as usize], points[u as usize]);
+            let apart = between(points[v as usize], points[u as usize]);
             let reach = reach_of[v as usize].min(reach_of[u as usize]);
             let is_near = u < v && apart <= reach && joined.binary_search(&[u, v]).is_err();
             if is_near && nearest[v as usize].is_none_or(|best| (apart, u) < best) {
@@ -282,25 +282,12 @@ fn flat(points: &[Point]) -> Vec<Space> {
     points.iter().map(|p| [p.x, p.y, 0.0]).collect()
 }
 
-fn distance_of(a: Space, b: Space) -> f64 {
-    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    (x * x + y * y + z * z).sqrt()
-}
-
-/// Whether three points lie on one line, exactly: they do as seen along each axis.
-fn are_on_a_line(a: Space, b: Space, c: Space) -> bool {
-    [(0, 1), (1, 2), (2, 0)].iter().all(|&(x, y)| {
-        let [a, b, c] = [a, b, c].map(|p| Point::new(p[x], p[y]));
-        orientation(a, b, c).is_eq()
-    })
-}
-
 /// Where on the segment the nearest point to `p` is, from 0 to 1, and how far away.
 fn along_and_apart([a, b]: [Space; 2], p: Space) -> (f64, f64) {
     let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let t = ((p[0] - a[0]) * x + (p[1] - a[1]) * y + (p[2] - a[2]) * z) / (x * x + y * y + z * z);
     let on = t.clamp(0.0, 1.0);
-    (t, distance_of([a[0] + x * on, a[1] + y * on, a[2] + z * on], p))
+    (t, between([a[0] + x * on, a[1] + y * on, a[2] + z * on], p))
 }
 
 /// Vertices in cells of equal size.
@@ -328,23 +315,17 @@ impl PointGrid {
         let cell = (width * height / count).sqrt().max(width.max(height) / count);
         let scale = if cell > 0.0 { 1.0 / cell } else { 0.0 };
         let size = [width, height].map(|length| (length * scale) as usize + 1);
-        let mut grid =
-            Self { vertices, min, max, scale, size, starts: vec![0; size[0] * size[1] + 1], items: Vec::new() };
-        let cells: Vec<usize> = grid.vertices.iter().map(|&v| grid.cell(points[v as usize])).collect();
-        cells.iter().for_each(|&cell| grid.starts[cell + 1] += 1);
-        (1..grid.starts.len()).for_each(|i| grid.starts[i] += grid.starts[i - 1]);
-        let mut at = grid.starts.clone();
-        grid.items = vec![0; grid.vertices.len()];
-        for (&v, cell) in grid.vertices.iter().zip(cells) {
-            grid.items[at[cell] as usize] = v;
-            at[cell] += 1;
-        }
-        grid
+        let grid = Self { vertices, min, max, scale, size, starts: Vec::new(), items: Vec::new() };
+        let vertex = |i: usize| grid.vertices[i];
+        let cell = |i: usize| grid.cell(points[vertex(i) as usize]);
+        let (starts, order) = grouped(size[0] * size[1], grid.vertices.len(), cell);
+        let items = order.into_iter().map(|i| vertex(i as usize)).collect();
+        Self { starts, items, ..grid }
     }
 
     /// The length of the diagonal of the box round all.
     fn extent(&self) -> f64 {
-        distance_of(self.min, self.max)
+        between(self.min, self.max)
     }
 
     fn place(&self, which: usize, x: f64) -> usize {

@@ -29,10 +29,7 @@ impl Subdivision {
 
     /// The isolated vertices in `f`.
     pub(super) fn isolated_vertices(&self, f: FaceId) -> impl Iterator<Item = VertexId> + '_ {
-        self.inner_components(f).iter().filter_map(|ring| match ring {
-            InnerComponent::Isolated(v) => Some(*v),
-            InnerComponent::Cycle(_) => None,
-        })
+        self.inner_components(f).iter().filter_map(|ring| ring.isolated())
     }
 
     /// The cycle of `start` as an inner component whose face is being looked for. O(length).
@@ -109,11 +106,8 @@ impl Subdivision {
         rec: &mut impl PlaneRecorder,
     ) {
         if f == self.outer_face() {
-            let first = rings.iter().position(|ring| matches!(ring, InnerComponent::Cycle(_))).map(|i| rings.remove(i));
-            let boundary = match first {
-                Some(InnerComponent::Cycle(h)) => Some(h),
-                _ => None,
-            };
+            let first = rings.iter().position(|ring| ring.cycle().is_some()).map(|i| rings.remove(i));
+            let boundary = first.and_then(InnerComponent::cycle);
             if self.dcel.half_edge(f) != boundary {
                 self.dcel.set_half_edge(f, boundary, rec);
             }
@@ -160,14 +154,8 @@ impl Subdivision {
 
     /// Which of the inner components is the cycle through `h`.
     pub(super) fn inner_component_index(&self, rings: &[InnerComponent], h: HalfEdgeId) -> Option<usize> {
-        let mut starts: Vec<(HalfEdgeId, usize)> = rings
-            .iter()
-            .enumerate()
-            .filter_map(|(i, ring)| match ring {
-                InnerComponent::Cycle(start) => Some((*start, i)),
-                InnerComponent::Isolated(_) => None,
-            })
-            .collect();
+        let cycles = rings.iter().enumerate().filter_map(|(i, ring)| Some((ring.cycle()?, i)));
+        let mut starts: Vec<(HalfEdgeId, usize)> = cycles.collect();
         starts.sort_unstable();
         let find = |h: HalfEdgeId| starts.binary_search_by_key(&h, |&(start, _)| start).ok();
         self.dcel.cycle(h).find_map(find).map(|i| starts[i].1)
@@ -197,7 +185,7 @@ impl Subdivision {
                 && self
                     .dcel
                     .half_edge(new)
-                    .is_some_and(|h| surrounds(self.corner_points(h), self.inner_component_point(ring)));
+                    .is_some_and(|h| surrounds(self.corner_points(h), self.points[self.inner_component_vertex(ring)]));
             if inside { moved.push(ring) } else { kept.push(ring) }
         }
         for &ring in &moved {
@@ -207,11 +195,11 @@ impl Subdivision {
         self.give_inner_components(new, moved, rec);
     }
 
-    /// The position of a vertex of the inner component.
-    fn inner_component_point(&self, ring: InnerComponent) -> Point {
-        self.points[match ring {
+    /// A vertex of the inner component.
+    pub(super) fn inner_component_vertex(&self, ring: InnerComponent) -> VertexId {
+        match ring {
             InnerComponent::Cycle(h) => self.dcel.origin(h),
             InnerComponent::Isolated(v) => v,
-        }]
+        }
     }
 }

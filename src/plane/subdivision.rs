@@ -101,10 +101,7 @@ impl Subdivision {
 
     /// One half-edge of every boundary cycle of `f`: `half_edge(f)` first, then the inner components.
     pub fn cycles(&self, f: FaceId) -> impl Iterator<Item = HalfEdgeId> + Clone + '_ {
-        let rings = self.inner_components(f).iter().filter_map(|ring| match ring {
-            InnerComponent::Cycle(h) => Some(*h),
-            InnerComponent::Isolated(_) => None,
-        });
+        let rings = self.inner_components(f).iter().filter_map(|ring| ring.cycle());
         self.dcel.half_edge(f).into_iter().chain(rings)
     }
 

@@ -233,19 +233,16 @@ pub(super) fn is_above([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::geometry::random::xorshift;
 
     fn points(list: &[(f64, f64)]) -> Vec<Point> {
         list.iter().map(|&p| p.into()).collect()
     }
 
-    /// A small generator of numbers for the tests (xorshift).
-    pub(in crate::plane) fn numbers(mut state: u64) -> impl FnMut(u64) -> u64 {
-        move |below| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            state % below
-        }
+    /// Numbers below bounds.
+    pub(in crate::plane) fn numbers(seed: u64) -> impl FnMut(u64) -> u64 {
+        let mut random = xorshift(seed);
+        move |below| random() % below
     }
 
     #[test]

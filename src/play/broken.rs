@@ -1,9 +1,9 @@
 //! A pointer led elsewhere by hand, and the invariants that break by it.
 
 use super::reply::{Message, Tone, element};
-use super::tables::find;
+use super::tables::{find, pointers};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
-use crate::topology::{Table, View, Violation, violations};
+use crate::topology::{Table, Violation, violations};
 
 /// A table some of whose pointers were led elsewhere.
 #[derive(Clone, Debug)]
@@ -50,12 +50,17 @@ impl Broken {
 
     /// What is broken, each with the elements concerned.
     pub(super) fn faults(&self) -> Vec<Message> {
-        violations(&self.table).iter().map(message).collect()
+        faults(&self.table)
     }
 }
 
+/// What is broken in a table, each with the elements concerned.
+pub(super) fn faults(table: &Table) -> Vec<Message> {
+    violations(table).iter().map(message).collect()
+}
+
 /// A violation as a sentence with its elements.
-pub(super) fn message(violation: &Violation) -> Message {
+fn message(violation: &Violation) -> Message {
     let mut elements: Vec<String> = violation.elements.iter().map(ToString::to_string).collect();
     elements.extend(violation.chain.iter().map(ToString::to_string));
     elements.extend([violation.found, violation.expected].iter().flatten().map(ToString::to_string));
@@ -69,16 +74,8 @@ pub(super) const POINTERS: [&str; 7] = ["origin", "twin", "next", "prev", "face"
 
 /// What a pointer leads to.
 pub(super) fn get(table: &Table, owner: Element, pointer: &str) -> Option<Element> {
-    match (owner, pointer) {
-        (Element::HalfEdge(h), "origin") => table.origin(h).map(Element::from),
-        (Element::HalfEdge(h), "twin") => table.twin(h).map(Element::from),
-        (Element::HalfEdge(h), "next") => table.next(h).map(Element::from),
-        (Element::HalfEdge(h), "prev") => table.prev(h).map(Element::from),
-        (Element::HalfEdge(h), "face") => table.face(h).map(Element::from),
-        (Element::Vertex(v), "outgoing") => table.outgoing(v).map(Element::from),
-        (Element::Face(f), "half_edge") => table.half_edge(f).map(Element::from),
-        _ => None,
-    }
+    let known = pointers(table, owner).into_iter().find(|(name, _)| *name == pointer);
+    known.and_then(|(_, to)| to)
 }
 
 /// Leads a pointer elsewhere, and gives back what it led to.

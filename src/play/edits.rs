@@ -7,9 +7,8 @@
 
 use crate::edits::{Call, EditError, Editable};
 use crate::ids::{Element, FaceId};
-use crate::script::{Outcome, Script, ScriptError, Writer, parse_on};
+use crate::script::{Outcome, Script, ScriptError, Step, Writer, parse_on};
 use crate::topology::{Change, Journal};
-use std::ops::ControlFlow;
 
 /// A structure and its history.
 #[derive(Clone, Debug)]
@@ -150,8 +149,12 @@ impl<S: Editable> Workshop<S> {
 
     /// Faces of the start that an edit has removed: a name of theirs is no longer right.
     pub(super) fn removed_faces(&self) -> Vec<FaceId> {
+        let face = |change: &Change| match *change {
+            Change::Removed { element: Element::Face(f) } => Some(f),
+            _ => None,
+        };
         let gone = |entry: &Entry<S>| match entry {
-            Entry::Edit { log, .. } => S::pointers(log.clone()).changes().iter().filter_map(removed_face).collect(),
+            Entry::Edit { log, .. } => S::pointers(log.clone()).changes().iter().filter_map(face).collect(),
             Entry::Line { .. } => Vec::new(),
         };
         self.entries.iter().flat_map(gone).collect()
@@ -218,13 +221,9 @@ impl<S: Editable> Workshop<S> {
 
     /// Carries out the last statement of a script whose others have been carried out.
     fn said(&mut self, script: &Script<S>, text: &str, name: Option<&str>) -> Result<Done, String> {
-        let mut last = None;
-        script.play(|step, _| {
-            last = Some(step.outcome);
-            ControlFlow::Continue(())
-        });
+        let last = script.run().steps.pop();
         let name = name.map(str::to_owned);
-        let Some(outcome) = last else { return Ok(Done { text: String::new(), elements: Vec::new() }) };
+        let Some(Step { outcome, .. }) = last else { return Ok(Done { text: String::new(), elements: Vec::new() }) };
         let elements = match &outcome {
             Outcome::Edited { edit, .. } => {
                 let edit = edit.clone();
@@ -256,12 +255,7 @@ impl<S: Editable> Workshop<S> {
     pub(super) fn of_script(start_line: &str, script: &Script<S>) -> (Self, Vec<String>) {
         let mut workshop = Self::new(start_line, script.start().clone());
         let mut refused = Vec::new();
-        let mut steps = Vec::new();
-        script.play(|step, _| {
-            steps.push(step);
-            ControlFlow::Continue(())
-        });
-        for step in steps {
+        for step in script.run().steps {
             let said = &script.statements()[step.statement];
             let name = said.text().strip_prefix("let ").and_then(|rest| rest.split_once('='));
             let name = name.map(|(name, _)| name.trim().to_owned());
@@ -335,12 +329,5 @@ impl<S: Editable> Workshop<S> {
             before = state;
         }
         (before, shots)
-    }
-}
-
-fn removed_face(change: &Change) -> Option<FaceId> {
-    match *change {
-        Change::Removed { element: Element::Face(f) } => Some(f),
-        _ => None,
     }
 }

@@ -17,7 +17,7 @@ const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy
 
 /// The text as a link, without `#`.
 pub(super) fn write(text: &str) -> String {
-    let data = base64(&compress_to_vec_zlib(text.as_bytes(), 9));
+    let data = base64(&compress_to_vec_zlib(text.as_bytes(), 9), LETTERS);
     format!("{VERSION}.{}.{data}", data.len())
 }
 
@@ -53,12 +53,13 @@ pub(super) fn read(link: &str) -> Result<String, String> {
     String::from_utf8(text).map_err(|_| altered())
 }
 
-fn base64(bytes: &[u8]) -> String {
+/// Bytes in these letters, without padding.
+pub(super) fn base64(bytes: &[u8], letters: &[u8; 64]) -> String {
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {
         let number = chunk.iter().enumerate().fold(0_u32, |sum, (i, &byte)| sum | u32::from(byte) << (16 - 8 * i));
         for i in 0..=chunk.len() {
-            out.push(char::from(LETTERS[(number >> (18 - 6 * i)) as usize & 63]));
+            out.push(char::from(letters[(number >> (18 - 6 * i)) as usize & 63]));
         }
     }
     out

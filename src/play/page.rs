@@ -16,13 +16,9 @@ pub fn page_with(page: &str, name: &str, bytes: &[u8]) -> Option<String> {
 
 fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for chunk in bytes.chunks(3) {
-        let number = chunk.iter().enumerate().fold(0_u32, |sum, (i, &byte)| sum | u32::from(byte) << (16 - 8 * i));
-        let letter = |i: usize| char::from(LETTERS[(number >> (18 - 6 * i)) as usize & 63]);
-        out.extend((0..4).map(|i| if i <= chunk.len() { letter(i) } else { '=' }));
-    }
-    out
+    let data = super::link::base64(bytes, LETTERS);
+    let padding = "=".repeat(data.len().next_multiple_of(4) - data.len());
+    data + &padding
 }
 
 #[cfg(test)]

@@ -95,22 +95,21 @@ impl Points {
         self.change(points)
     }
 
-    pub(super) fn place(&mut self, i: usize, p: Point) -> Result<(), String> {
+    /// The points with one of them at another place.
+    fn moved(&self, i: usize, p: Point) -> Vec<Point> {
         let mut points = self.points.clone();
-        if let Some(at) = points.get_mut(i) {
-            *at = p;
-        }
-        self.change(points)
+        points.get_mut(i).into_iter().for_each(|at| *at = p);
+        points
+    }
+
+    pub(super) fn place(&mut self, i: usize, p: Point) -> Result<(), String> {
+        self.change(self.moved(i, p))
     }
 
     /// The triangulation with a point held over a place; nothing is kept.
     pub(super) fn held(&self, i: usize, p: Point) -> Result<Self, String> {
         let mut held = Self { past: Vec::new(), undone: Vec::new(), ..self.clone() };
-        let mut points = self.points.clone();
-        if let Some(at) = points.get_mut(i) {
-            *at = p;
-        }
-        held.set(points)?;
+        held.set(self.moved(i, p))?;
         Ok(held)
     }
 

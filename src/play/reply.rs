@@ -1,6 +1,7 @@
 //! What the page says to a session, and what it hears: JSON on both sides.
 
-use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::ids::Element;
+pub(super) use crate::script::element;
 use serde::{Deserialize, Serialize};
 
 /// What the page asks for.
@@ -247,15 +248,6 @@ pub(super) fn named(text: &str) -> Vec<Element> {
         }
     }
     out
-}
-
-/// `v3`, `h0`, `e2` or `f1`.
-pub(super) fn element(word: &str) -> Option<Element> {
-    let half_edge = || word.parse::<HalfEdgeId>().ok().map(Element::from);
-    let vertex = || word.parse::<VertexId>().ok().map(Element::from);
-    let face = || word.parse::<FaceId>().ok().map(Element::from);
-    let edge = || word.parse::<crate::ids::EdgeId>().ok().map(Element::from);
-    half_edge().or_else(vertex).or_else(face).or_else(edge)
 }
 
 /// Counts and invariants of a scene.

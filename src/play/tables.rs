@@ -4,7 +4,7 @@ use super::reply::{Selected, element};
 use crate::figure::escaped;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
-use crate::topology::{InnerComponent, Table, View};
+use crate::topology::{Table, View, has};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -30,16 +30,6 @@ pub(super) fn pointers(table: &Table, element: Element) -> Vec<(&'static str, Op
     }
 }
 
-/// Whether the element is there.
-pub(super) fn exists(table: &Table, element: Element) -> bool {
-    match element {
-        Element::HalfEdge(h) => table.has_half_edge(h),
-        Element::Vertex(v) => table.has_vertex(v),
-        Element::Face(f) => table.has_face(f),
-        Element::Edge(e) => table.has_half_edge(e.half_edges()[0]),
-    }
-}
-
 /// An element in words.
 pub(super) fn describe(table: &Table, chosen: Element) -> Selected {
     let name = |target: Option<Element>| target.map_or_else(|| "none".to_owned(), |target| target.to_string());
@@ -60,16 +50,13 @@ pub(super) fn describe(table: &Table, chosen: Element) -> Selected {
         Element::Edge(e) => format!("edge {e}"),
     };
     if let Element::Face(f) = chosen {
-        pointers.extend(table.inner_components(f).iter().map(|inner| ["inner".to_owned(), inner_name(*inner)]));
+        pointers.extend(inner_names(table, f).map(|name| ["inner".to_owned(), name]));
     }
     Selected { ids: vec![chosen.to_string()], title, pointers, ..Selected::default() }
 }
 
-fn inner_name(inner: InnerComponent) -> String {
-    match inner {
-        InnerComponent::Cycle(h) => h.to_string(),
-        InnerComponent::Isolated(v) => v.to_string(),
-    }
+fn inner_names(table: &Table, f: FaceId) -> impl Iterator<Item = String> + '_ {
+    table.inner_components(f).iter().map(|&inner| Element::from(inner).to_string())
 }
 
 /// The three tables. Elements of `bad` are marked.
@@ -85,7 +72,7 @@ pub(super) fn html(table: &Table, bad: &BTreeSet<String>) -> String {
     write(&mut out, table, "Vertices", &["outgoing", "x", "y"], vertices, bad, place);
     let faces = (0..table.face_bound() as u32).map(FaceId::new).filter(|&f| table.has_face(f));
     let rest = |f: FaceId| {
-        let inner: Vec<String> = table.inner_components(f).iter().map(|inner| inner_name(*inner)).collect();
+        let inner: Vec<String> = inner_names(table, f).collect();
         let name = table.faces.get(f.index()).and_then(|row| row.as_ref()?.name.clone());
         let kind = if table.outer_face() == Some(f) {
             "outer"
@@ -152,7 +139,7 @@ pub(super) fn find(table: &Table, word: &str) -> Result<Element, String> {
     let word = word.trim();
     let found =
         element(word).ok_or_else(|| format!("`{word}` is not the name of an element; write h0, v0, e0 or f0"))?;
-    if exists(table, found) {
+    if has(table, found) {
         return Ok(found);
     }
     let live = |rows: &[bool]| (rows.iter().filter(|&&row| row).count(), rows.len());

@@ -1,11 +1,11 @@
 //! A path of links, followed on any table: `h2.next.twin.prev`.
 
-use super::tables::{exists, find};
+use super::tables::find;
 use crate::edits::Kind;
-use crate::ids::{Element, HalfEdgeId, VertexId};
+use crate::ids::Element;
 use crate::old_words::{Language, OldWord};
-use crate::script::Link;
-use crate::topology::{Table, View};
+use crate::script::{Link, follow};
+use crate::topology::{Table, has};
 
 /// No path is longer.
 const LONGEST: usize = 1000;
@@ -17,28 +17,8 @@ pub(super) fn link(word: &str) -> Option<Link> {
 
 /// One link; `None` if it is not set.
 pub(super) fn step(table: &Table, from: Element, link: Link) -> Option<Element> {
-    let half_edge = |h: HalfEdgeId| -> Option<Element> {
-        Some(match link {
-            Link::Next => table.next(h)?.into(),
-            Link::Prev => table.prev(h)?.into(),
-            Link::Twin => table.twin(h)?.into(),
-            Link::Origin => table.origin(h)?.into(),
-            Link::Destination => destination(table, h)?.into(),
-            Link::Face => table.face(h)?.into(),
-            Link::Edge => h.edge().into(),
-            Link::Outgoing | Link::HalfEdge => return None,
-        })
-    };
-    match from {
-        Element::HalfEdge(h) => half_edge(h),
-        Element::Edge(e) => half_edge(e.half_edges()[0]),
-        Element::Vertex(v) => (link == Link::Outgoing).then(|| table.outgoing(v))?.map(Element::from),
-        Element::Face(f) => (link == Link::HalfEdge).then(|| table.half_edge(f))?.map(Element::from),
-    }
-}
-
-fn destination(table: &Table, h: HalfEdgeId) -> Option<VertexId> {
-    table.origin(table.twin(h)?)
+    let from = if let Element::Edge(e) = from { e.half_edges()[0].into() } else { from };
+    follow(table, from, link)
 }
 
 /// All elements along a path, the first one too.
@@ -61,7 +41,7 @@ pub(super) fn walk(table: &Table, path: &str) -> Result<Vec<Element>, String> {
         let Some(to) = step(table, at, link) else {
             return Err(format!("{at}.{word} is not set, so `{path}` leads nowhere"));
         };
-        if !exists(table, to) {
+        if !has(table, to) {
             return Err(format!("{at}.{word} is {to}, which does not exist, so `{path}` leads nowhere"));
         }
         out.push(to);

@@ -59,6 +59,14 @@ impl KernelStart {
     }
 }
 
+/// The corners of each face after a `/`.
+pub(super) fn write_faces(f: &mut fmt::Formatter<'_>, faces: &PolygonList) -> fmt::Result {
+    (0..faces.cycle_count()).try_for_each(|cycle| {
+        f.write_str(" /")?;
+        faces.cycle(cycle).iter().try_for_each(|corner| write!(f, " {corner}"))
+    })
+}
+
 impl fmt::Display for KernelStart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -66,10 +74,7 @@ impl fmt::Display for KernelStart {
             Self::Torus => f.write_str("torus"),
             Self::Surface { vertices, faces } => {
                 write!(f, "surface {vertices}")?;
-                (0..faces.cycle_count()).try_for_each(|cycle| {
-                    f.write_str(" /")?;
-                    faces.cycle(cycle).iter().try_for_each(|corner| write!(f, " {corner}"))
-                })
+                write_faces(f, faces)
             }
         }
     }

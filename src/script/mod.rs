@@ -70,9 +70,11 @@ mod syntax;
 mod words;
 
 #[cfg(feature = "play")]
-pub(crate) use parse::parse_on;
+pub(crate) use parse::{element, parse_on};
 #[cfg(feature = "play")]
 pub(crate) use replay::Writer;
+#[cfg(feature = "play")]
+pub(crate) use syntax::follow;
 
 pub use error::{Problem, ScriptError};
 pub use kernel::{KernelStart, KernelStartError};

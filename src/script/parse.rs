@@ -4,7 +4,7 @@ use super::cursor::{Complaint, Cursor, show};
 use super::error::{Problem, ScriptError};
 use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, kernel_start, plane_start, start_word};
 use super::syntax::{Action, Base, Link, Name, Path, Script, Statement, Value};
-use super::words::{Word, lines};
+use super::words::{Line, Word, lines};
 use crate::edits::{Argument, Editable, Kind, Row, Takes, find, map_size, rows_of, switch};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::old_words::{Language, OldWord};
@@ -94,15 +94,7 @@ impl Script<crate::solid::Polyhedron> {
 /// Reads statements alone, to be carried out on this structure; see [`Script::parse`].
 #[cfg(feature = "play")]
 pub(crate) fn parse_on<G: Editable>(start: G, text: &str, source: &str) -> Result<Script<G>, ScriptError> {
-    let mut parser = Parser::new(start, &[]);
-    let read = || {
-        for line in lines(text) {
-            let action = parser.action(&mut Cursor::new(&line))?;
-            parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
-        }
-        Ok(parser.script)
-    };
-    read().map_err(|complaint| named(complaint, source))
+    Parser::new(start, &[]).read(lines(text)).map_err(|complaint| named(complaint, source))
 }
 
 fn named(Complaint { line, column, what, help }: Complaint, source: &str) -> ScriptError {
@@ -122,12 +114,7 @@ fn read<G: Editable>(
             return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: starts.to_owned() });
         };
         let start = start(&mut Cursor::new(&first))?;
-        let mut parser = Parser::new(start, own);
-        for line in lines {
-            let action = parser.action(&mut Cursor::new(&line))?;
-            parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
-        }
-        Ok(parser.script)
+        Parser::new(start, own).read(lines)
     };
     read().map_err(|complaint| named(complaint, source))
 }
@@ -144,6 +131,15 @@ impl<'a, G: Editable> Parser<'a, G> {
     fn new(start: G, own: &'a [&'static Row]) -> Self {
         let script = Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() };
         Self { script, own, by_text: BTreeMap::new() }
+    }
+
+    /// The script of these statements.
+    fn read<'t>(mut self, lines: impl Iterator<Item = Line<'t>>) -> Result<Script<G>, Complaint> {
+        for line in lines {
+            let action = self.action(&mut Cursor::new(&line))?;
+            self.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
+        }
+        Ok(self.script)
     }
 
     /// The edit with this word.
@@ -343,13 +339,13 @@ impl<'a, G: Editable> Parser<'a, G> {
         if let Some(&index) = self.by_text.get(word) {
             return Some((Base::Named(index), self.script.names[index].kind));
         }
-        let element = id(word).filter(|element| self.script.start.topology().check(*element).is_ok())?;
+        let element = element(word).filter(|element| self.script.start.topology().check(*element).is_ok())?;
         Some((Base::Given(element), Kind::of(element)))
     }
 
     fn unknown(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Complaint {
         let start = self.script.start.topology();
-        let Some(element) = id(word.text) else {
+        let Some(element) = element(word.text) else {
             let mut known = format!("given are h0 .. h{}", start.half_edge_bound().saturating_sub(1));
             for name in self.script.names.iter().rev().take(10) {
                 known.push_str(", ");
@@ -372,7 +368,7 @@ impl<'a, G: Editable> Parser<'a, G> {
         let letters = word.text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let begins = word.text.chars().next().is_some_and(char::is_alphabetic);
         let reserved = word.text == LET || OTHERS.contains(&word.text) || self.find(word.text).is_some();
-        if id(word.text).is_some() || !letters || !begins || reserved {
+        if element(word.text).is_some() || !letters || !begins || reserved {
             let help = "a name begins with a letter, holds letters, digits and `_`, and is neither a statement nor \
                         an id such as h12";
             return Err(cursor.at(word, Problem::BadName { word: show(word.text) }, help));
@@ -394,7 +390,7 @@ impl<'a, G: Editable> Parser<'a, G> {
 }
 
 /// `h3`, `v0`, `e1` or `f2`.
-fn id(word: &str) -> Option<Element> {
+pub(crate) fn element(word: &str) -> Option<Element> {
     let half_edge = || word.parse::<HalfEdgeId>().map(Element::from);
     let vertex = || word.parse::<VertexId>().map(Element::from);
     let edge = || word.parse::<EdgeId>().map(Element::from);

@@ -44,10 +44,7 @@ impl fmt::Display for SolidStart {
             Self::Mesh { points, faces } => {
                 f.write_str("mesh")?;
                 points.iter().flatten().try_for_each(|x| write!(f, " {x}"))?;
-                (0..faces.cycle_count()).try_for_each(|cycle| {
-                    f.write_str(" /")?;
-                    faces.cycle(cycle).iter().try_for_each(|corner| write!(f, " {corner}"))
-                })
+                super::kernel::write_faces(f, faces)
             }
         }
     }

@@ -4,7 +4,7 @@ use crate::edits::{Argument, Editable, Kind, Row};
 use crate::ids::Element;
 use crate::old_words::OldWord;
 use crate::plane::Subdivision;
-use crate::topology::Dcel;
+use crate::topology::View;
 
 /// A checked script: a start and the statements after it. [`Script::parse`] makes one of the plane,
 /// [`Script::parse_kernel`] one without coordinates; [`run`](Script::run) and [`play`](Script::play) carry it out.
@@ -157,14 +157,14 @@ impl Link {
 }
 
 /// Where a link leads; `None` if the element has no such link, or it is not set.
-pub(super) fn follow(on: &Dcel, element: Element, link: Link) -> Option<Element> {
+pub(crate) fn follow<V: View>(on: &V, element: Element, link: Link) -> Option<Element> {
     Some(match (element, link) {
-        (Element::HalfEdge(h), Link::Next) => on.next(h).into(),
-        (Element::HalfEdge(h), Link::Prev) => on.prev(h).into(),
-        (Element::HalfEdge(h), Link::Twin) => h.twin().into(),
-        (Element::HalfEdge(h), Link::Origin) => on.origin(h).into(),
-        (Element::HalfEdge(h), Link::Destination) => on.destination(h).into(),
-        (Element::HalfEdge(h), Link::Face) => on.face(h).into(),
+        (Element::HalfEdge(h), Link::Next) => on.next(h)?.into(),
+        (Element::HalfEdge(h), Link::Prev) => on.prev(h)?.into(),
+        (Element::HalfEdge(h), Link::Twin) => on.twin(h)?.into(),
+        (Element::HalfEdge(h), Link::Origin) => on.origin(h)?.into(),
+        (Element::HalfEdge(h), Link::Destination) => on.origin(on.twin(h)?)?.into(),
+        (Element::HalfEdge(h), Link::Face) => on.face(h)?.into(),
         (Element::HalfEdge(h), Link::Edge) => h.edge().into(),
         (Element::Vertex(v), Link::Outgoing) => on.outgoing(v)?.into(),
         (Element::Face(f), Link::HalfEdge) => on.half_edge(f)?.into(),

@@ -10,7 +10,7 @@
 
 use super::vector::{plus, times};
 use super::{Polyhedron, SolidError};
-use crate::ids::{EdgeMap, HalfEdgeId, HalfEdgeMap, VertexId};
+use crate::ids::{EdgeMap, HalfEdgeId, VertexId};
 use crate::topology::PolygonList;
 
 /// Why the corners of a surface cannot be cut off.
@@ -79,12 +79,8 @@ impl Polyhedron {
             return Err(TruncateError::Ratio { ratio });
         }
         self.check_corners()?;
-        let mut points = Vec::with_capacity(self.half_edge_count());
-        let mut number = HalfEdgeMap::filled(self.half_edge_bound(), 0);
-        for h in self.half_edges() {
-            number[h] = points.len() as u32;
-            points.push(plus(self.point(self.topology().origin(h)), times(self.edge_vector(h), ratio)));
-        }
+        let cut = |h| plus(self.point(self.topology().origin(h)), times(self.edge_vector(h), ratio));
+        let (points, number) = self.points_in_flags(cut);
         let both = |h: HalfEdgeId| [number[h], number[h.twin()]];
         let faces = self.faces_and_stars(|h, corners| corners.extend(both(h)), |h, corners| corners.push(number[h]));
         Ok(Self::from_polygons(points, &faces)?)

@@ -69,8 +69,9 @@ mod winged;
 mod wings;
 mod wythoff;
 
+use crate::geometry::space::check_place;
 use crate::ids::{FaceId, VertexId, VertexMap};
-use crate::plane::{CoordinateError, check_coordinate};
+use crate::plane::CoordinateError;
 use crate::topology::{BuildError, Dcel, NoRecorder, OneSided, PolygonList, View, faces_to_turn};
 use std::collections::BTreeSet;
 
@@ -220,11 +221,8 @@ impl Polyhedron {
     /// # Ok::<(), dcel_kit::solid::SolidError>(())
     /// ```
     pub fn from_polygons(points: Vec<[f64; 3]>, polygons: &PolygonList) -> Result<Self, SolidError> {
-        for (vertex, point) in points.iter().enumerate() {
-            for (axis, &value) in ['x', 'y', 'z'].into_iter().zip(point) {
-                check_coordinate(axis, value)
-                    .map_err(|error| SolidError::Coordinate { vertex: vertex as u32, error })?;
-            }
+        for (vertex, &point) in (0..).zip(&points) {
+            check_place(point).map_err(|error| SolidError::Coordinate { vertex, error })?;
         }
         let built =
             Dcel::from_polygons(points.len(), polygons).map_err(|error| SolidError::of_building(error, polygons))?;

@@ -1,8 +1,9 @@
 //! A surface and its parts: the structure, the points, the boundary faces.
 
 use super::Polyhedron;
+use crate::geometry::space::check_place;
 use crate::ids::{FaceId, VertexId, VertexMap};
-use crate::plane::{CoordinateError, check_coordinate};
+use crate::plane::CoordinateError;
 use crate::topology::{Dcel, Renumbering, Violation, violations};
 use std::collections::BTreeSet;
 
@@ -67,8 +68,7 @@ impl Polyhedron {
         for vertex in dcel.vertices() {
             let bound = dcel.vertex_bound();
             let place = points.get(vertex).ok_or(PartsError::NoPoint { vertex, bound })?;
-            let checked = ['x', 'y', 'z'].into_iter().zip(*place).try_for_each(|(axis, x)| check_coordinate(axis, x));
-            checked.map_err(|error| PartsError::Coordinate { vertex, error })?;
+            check_place(*place).map_err(|error| PartsError::Coordinate { vertex, error })?;
         }
         let boundary_faces: BTreeSet<FaceId> = boundary_faces.into_iter().collect();
         match boundary_faces.iter().find(|&&f| !dcel.has_face(f)) {

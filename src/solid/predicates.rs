@@ -9,9 +9,8 @@
 //!          ● a
 //! ```
 
+use crate::geometry::space;
 use crate::plane::Expansion;
-use crate::plane::Point;
-use crate::plane::predicates::orientation;
 use robust::Coord3D;
 use std::cmp::Ordering;
 
@@ -50,10 +49,7 @@ const ROUNDING: f64 = 7.771_561_172_376_103e-16;
 /// Whether a, b, c lie on one line. Exact: they do if all three shadows do.
 #[must_use]
 pub fn are_collinear(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
-    (0..3).all(|axis| {
-        let shadow = |p: [f64; 3]| Point::new(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-        orientation(shadow(a), shadow(b), shadow(c)) == Ordering::Equal
-    })
+    space::are_collinear(a, b, c)
 }
 
 /// Which of two points lies further in a direction; of two equally far ones, the one with the greater x, then the

@@ -13,8 +13,9 @@
 
 use super::convex::Convex;
 use super::predicates::further;
+use crate::geometry::space::check_place;
 use crate::ids::VertexId;
-use crate::plane::{CoordinateError, check_coordinate};
+use crate::plane::CoordinateError;
 use crate::topology::{NoObserver, Observer};
 use std::cmp::Ordering;
 
@@ -50,7 +51,7 @@ impl TryFrom<[f64; 3]> for Direction {
     /// # Errors
     /// A coordinate that is not finite, or out of the range in which signs are exact.
     fn try_from(direction: [f64; 3]) -> Result<Self, CoordinateError> {
-        ['x', 'y', 'z'].into_iter().zip(direction).try_for_each(|(axis, value)| check_coordinate(axis, value))?;
+        check_place(direction)?;
         Ok(Self(direction))
     }
 }

@@ -130,7 +130,7 @@ impl Polyhedron {
     }
 
     /// A point for each half-edge, and their numbers.
-    fn points_in_flags(&self, point: impl Fn(HalfEdgeId) -> Vector) -> (Vec<Vector>, HalfEdgeMap<u32>) {
+    pub(super) fn points_in_flags(&self, point: impl Fn(HalfEdgeId) -> Vector) -> (Vec<Vector>, HalfEdgeMap<u32>) {
         let mut number = HalfEdgeMap::filled(self.half_edge_bound(), 0);
         self.half_edges().zip(0..).for_each(|(h, i)| number[h] = i);
         (self.half_edges().map(point).collect(), number)

@@ -84,10 +84,7 @@ impl<'a> Flat<'a> {
                 }
             }
             for &ring in view.inner_components(f) {
-                let found = match ring {
-                    InnerComponent::Cycle(h) => Some(Element::HalfEdge(h)),
-                    InnerComponent::Isolated(v) => Some(Element::Vertex(v)),
-                };
+                let found = Some(Element::from(ring));
                 if flat.live_number(found) == NONE {
                     fault(Fault { owner: Some(f.into()), pointer: "inner_component", found })?;
                 } else {
@@ -205,18 +202,12 @@ impl<'a> Flat<'a> {
     /// One half-edge for each listed cycle with the face that lists it: boundaries first, then inner components.
     pub(super) fn listed_cycles(&self) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
         let boundaries = self.faces().map(|f| (f, self.boundary[f as usize])).filter(|&(_, h)| h != NONE);
-        boundaries.chain(self.rings.iter().filter_map(|&(f, ring)| match ring {
-            InnerComponent::Cycle(h) => Some((f, h.0)),
-            InnerComponent::Isolated(_) => None,
-        }))
+        boundaries.chain(self.rings.iter().filter_map(|&(f, ring)| Some((f, ring.cycle()?.0))))
     }
 
     /// The vertices listed as isolated, with the face that lists each.
     pub(super) fn listed_vertices(&self) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
-        self.rings.iter().filter_map(|&(f, ring)| match ring {
-            InnerComponent::Isolated(v) => Some((f, v.0)),
-            InnerComponent::Cycle(_) => None,
-        })
+        self.rings.iter().filter_map(|&(f, ring)| Some((f, ring.isolated()?.0)))
     }
 }
 

@@ -15,6 +15,7 @@
 
 use super::flat::{Flat, NONE, closed_orbits};
 use super::view::View;
+use crate::geometry::grouping::Joined;
 use crate::ids::{FaceId, VertexId, VertexMap};
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -203,38 +204,26 @@ pub fn components<V: View + ?Sized>(view: &V) -> Components {
 }
 
 pub(super) fn parts(flat: &Flat<'_>) -> Components {
-    let mut leader: Vec<u32> = (0..flat.outgoing.len() as u32).collect();
+    let mut joined = Joined::none(flat.outgoing.len());
     for h in flat.half_edges() {
         let twin = flat.twin(h);
         let (u, v) = (flat.origin[h as usize], if twin == NONE { NONE } else { flat.origin[twin as usize] });
         if u != NONE && v != NONE {
-            let (a, b) = (find(&mut leader, u), find(&mut leader, v));
-            leader[a.max(b) as usize] = a.min(b);
+            joined.join(u, v);
         }
     }
-    let mut components = Components { of: VertexMap::filled(leader.len(), NONE), count: 0 };
-    // The leader of a component is its lowest vertex, so it has its number before the others ask for it.
+    let mut components = Components { of: VertexMap::filled(flat.outgoing.len(), NONE), count: 0 };
+    // The root of a component is its lowest vertex, so it has its number before the others ask for it.
     for v in flat.vertices() {
-        let lead = find(&mut leader, v);
-        if lead == v {
+        let root = joined.root(v);
+        if root == v {
             components.of[VertexId(v)] = components.count as u32;
             components.count += 1;
         } else {
-            components.of[VertexId(v)] = components.of[VertexId(lead)];
+            components.of[VertexId(v)] = components.of[VertexId(root)];
         }
     }
     components
-}
-
-/// The leader of the group of `v`: each leads itself or is led by one with a lower number. The way there is halved for
-/// the next one.
-pub(crate) fn find(leader: &mut [u32], v: u32) -> u32 {
-    let mut at = v as usize;
-    while leader[at] as usize != at {
-        leader[at] = leader[leader[at] as usize];
-        at = leader[at] as usize;
-    }
-    at as u32
 }
 
 #[cfg(test)]

@@ -71,7 +71,6 @@ pub use isomorphism::{
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use log::Log;
-pub(crate) use measure::find;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use observe::{NoObserver, Observer};
 pub use orient::{OneSided, faces_to_turn};
@@ -80,12 +79,16 @@ pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub(crate) use reads::reads_of_dcel;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
+#[cfg(feature = "compare")]
+pub(crate) use replay::set_row;
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_columns::TableColumns;
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 #[doc(hidden)]
 pub use view::Words;
+#[cfg(feature = "figure")]
+pub(crate) use view::has;
 pub(crate) use view::pointers_of_dcel;
 pub use view::{InnerComponent, View, bounded_cycle};
 pub use walk::{Cycle, OutgoingHalfEdges};

@@ -96,22 +96,12 @@ pub fn faces_to_turn(polygons: &PolygonList) -> Result<Vec<u32>, OneSided> {
 
 /// The way from `a` back to where the ways to `a` and `b` part, and on to `b`.
 fn band(from: &[u32], a: u32, b: u32) -> Vec<u32> {
-    let way = |mut face: u32| {
-        let mut way = vec![face];
-        while from[face as usize] != face {
-            face = from[face as usize];
-            way.push(face);
-        }
-        way
-    };
+    let up = |&face: &u32| Some(from[face as usize]).filter(|&before| before != face);
+    let way = |face: u32| std::iter::successors(Some(face), up).collect::<Vec<u32>>();
     let (mut to_a, mut to_b) = (way(a), way(b));
     let mut common = None;
-    while let (Some(&x), Some(&y)) = (to_a.last(), to_b.last()) {
-        if x != y {
-            break;
-        }
-        common = Some(x);
-        to_a.pop();
+    while to_a.last().is_some_and(|x| to_b.last() == Some(x)) {
+        common = to_a.pop();
         to_b.pop();
     }
     to_a.into_iter().chain(common).chain(to_b.into_iter().rev()).collect()

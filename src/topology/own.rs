@@ -251,11 +251,7 @@ impl Dcel {
             match *change {
                 Change::Write { slot, old, new } => {
                     touched.extend([old, new].into_iter().flatten());
-                    touched.insert(match slot {
-                        Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => h.into(),
-                        Slot::Outgoing(v) => v.into(),
-                        Slot::HalfEdge(f) => f.into(),
-                    });
+                    touched.insert(slot.owner());
                 }
                 Change::Added { element: Element::Edge(e), .. } => {
                     touched.extend(e.half_edges().map(Element::from));

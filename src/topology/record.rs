@@ -43,6 +43,17 @@ impl fmt::Display for Slot {
     }
 }
 
+impl Slot {
+    /// The element whose record the pointer is a part of.
+    pub(crate) fn owner(self) -> Element {
+        match self {
+            Self::Origin(h) | Self::Next(h) | Self::Prev(h) | Self::Face(h) => h.into(),
+            Self::Outgoing(v) => v.into(),
+            Self::HalfEdge(f) => f.into(),
+        }
+    }
+}
+
 /// One change of a structure.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Change {

@@ -23,12 +23,12 @@ impl Table {
 
     fn set_rows(&mut self, element: Element, live: bool) {
         match element {
-            Element::Vertex(v) => set(&mut self.vertices, v.index(), live.then(VertexRow::default)),
-            Element::Face(f) => set(&mut self.faces, f.index(), live.then(FaceRow::default)),
+            Element::Vertex(v) => set_row(&mut self.vertices, v.index(), live.then(VertexRow::default)),
+            Element::Face(f) => set_row(&mut self.faces, f.index(), live.then(FaceRow::default)),
             Element::Edge(e) => {
                 for h in e.half_edges() {
                     let row = HalfEdgeRow { twin: Some(h.twin()), ..HalfEdgeRow::default() };
-                    set(&mut self.half_edges, h.index(), live.then_some(row));
+                    set_row(&mut self.half_edges, h.index(), live.then_some(row));
                 }
             }
             Element::HalfEdge(_) => {}
@@ -66,7 +66,8 @@ impl Table {
     }
 }
 
-fn set<T>(rows: &mut Vec<Option<T>>, index: usize, row: Option<T>) {
+/// Sets or takes out a row; the ones before it are there, if only empty.
+pub(crate) fn set_row<T>(rows: &mut Vec<Option<T>>, index: usize, row: Option<T>) {
     if index >= rows.len() {
         rows.resize_with(index + 1, || None);
     }

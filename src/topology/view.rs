@@ -4,7 +4,7 @@
 //! reads views (the validator, `same`, the figures) must bound its walks.
 
 use super::Dcel;
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 
 /// A boundary cycle of a face beside its first one, or a vertex without edges that lies in the face.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -13,6 +13,30 @@ pub enum InnerComponent {
     Cycle(HalfEdgeId),
     /// A vertex without edges.
     Isolated(VertexId),
+}
+
+impl InnerComponent {
+    /// The half-edge of a cycle.
+    #[inline]
+    pub(crate) fn cycle(self) -> Option<HalfEdgeId> {
+        if let Self::Cycle(h) = self { Some(h) } else { None }
+    }
+
+    /// The vertex without edges.
+    #[inline]
+    pub(crate) fn isolated(self) -> Option<VertexId> {
+        if let Self::Isolated(v) = self { Some(v) } else { None }
+    }
+}
+
+/// The half-edge or the vertex.
+impl From<InnerComponent> for Element {
+    fn from(ring: InnerComponent) -> Self {
+        match ring {
+            InnerComponent::Cycle(h) => h.into(),
+            InnerComponent::Isolated(v) => v.into(),
+        }
+    }
 }
 
 /// Read access to a half-edge structure that need not obey any invariant.
@@ -135,6 +159,17 @@ pub(crate) use pointers_of_dcel;
 
 impl View for Dcel {
     pointers_of_dcel!();
+}
+
+/// Whether the element exists.
+#[cfg(feature = "figure")]
+pub(crate) fn has<V: View + ?Sized>(view: &V, element: Element) -> bool {
+    match element {
+        Element::Vertex(v) => view.has_vertex(v),
+        Element::HalfEdge(h) => view.has_half_edge(h),
+        Element::Edge(e) => view.has_half_edge(e.half_edges()[0]),
+        Element::Face(f) => view.has_face(f),
+    }
 }
 
 /// At most `half_edge_bound` half-edges along `next` from `start`, ending before `start` comes again or where

@@ -77,8 +77,7 @@ pub(super) fn read(drawing: &mut Drawing, coats: &[Range<u32>], tolerance: f64) 
             }
         }
         drawing.bars.extend(range);
-        let line = Line { ends, half, hidden: None, aside: false, legend: 0, shape, curved: false, dashes: [0; 2] };
-        drawing.lines.push(line);
+        drawing.lines.push(Line::plain(ends, half, shape));
     }
     curved
 }

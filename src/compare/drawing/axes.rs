@@ -82,11 +82,8 @@ fn whole(axes: Node<'_, '_>) -> Option<Vec<[f64; 2]>> {
     }
     let groups = axes.children().filter(|group| is_called(axes, "axes_") && is_called(*group, "patch_"));
     let lines: Vec<Vec<[f64; 2]>> = groups.filter_map(line).take(5).collect();
-    let ends = || lines.iter().flatten();
-    let least = |i: usize| ends().map(|p| p[i]).fold(f64::INFINITY, f64::min);
-    let most = |i: usize| ends().map(|p| p[i]).fold(f64::NEG_INFINITY, f64::max);
-    let (low, high) = ([least(0), least(1)], [most(0), most(1)]);
-    (lines.len() == 4).then(|| vec![low, [high[0], low[1]], high, [low[0], high[1]]])
+    let [low, high] = corners(lines.iter().flatten().copied().map(Point::from));
+    (lines.len() == 4).then(|| vec![[low.x, low.y], [high.x, low.y], [high.x, high.y], [low.x, high.y]])
 }
 
 /// The ends of a group that is one line, and not clipped.

@@ -12,7 +12,6 @@ use crate::compare::declarations::declarations;
 use crate::compare::error::{Fault, Problem, quoted};
 use crate::compare::numbers;
 use crate::compare::painting::{Area, Part, Shape};
-use crate::compare::tags::tag;
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
@@ -72,9 +71,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         if PAINTERS.contains(&name.as_str()) {
             return Ok(Some(format!("<{}>", quoted(&name))));
         }
-        if !self.rules.is_empty() {
-            self.path.push(tag(node));
-        }
+        self.enter(node);
         // Of the same property, the last word counts.
         let said: BTreeMap<_, _> = declarations(node, &self.rules, &self.path).into_iter().collect();
         let mut found = said.iter().find(|(key, value)| covers(key, value));
@@ -84,9 +81,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         for child in node.children().filter(|n| n.is_element() && is_displayed) {
             out = self.cover(child, depth + 1)?.or(out);
         }
-        if !self.rules.is_empty() {
-            self.path.pop();
-        }
+        self.path.pop();
         Ok(out)
     }
 }

@@ -12,7 +12,7 @@ use super::slack::Slack;
 use super::{Drawing, Line};
 use crate::compare::ends::Circles;
 use crate::compare::painting::{Mark, Part, Shape};
-use crate::compare::pairing::{NEXT, Places, distance};
+use crate::compare::pairing::{NEXT, Places, distance, key, middle};
 use crate::compare::rings::open;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -173,10 +173,6 @@ impl Inked {
 /// A line by the bits of its ends.
 fn stroke([a, b]: [Point; 2]) -> [u64; 4] {
     [a.x, a.y, b.x, b.y].map(f64::to_bits)
-}
-
-fn key(p: Point) -> [u64; 2] {
-    [p.x, p.y].map(f64::to_bits)
 }
 
 /// What is drawn round a head.
@@ -342,10 +338,6 @@ fn ahead(from: Point, to: Point, by: f64) -> Point {
 /// How far a point lies from the line through two others.
 fn aside(p: Point, [a, b]: [Point; 2]) -> f64 {
     ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)).abs() / distance(a, b)
-}
-
-fn middle([p, q]: [Point; 2]) -> Point {
-    Point::new(0.5 * (p.x + q.x), 0.5 * (p.y + q.y))
 }
 
 fn length(line: &Line) -> f64 {

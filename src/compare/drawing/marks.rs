@@ -16,7 +16,6 @@ use crate::compare::markup::is_svg;
 use crate::compare::numbers;
 use crate::compare::painting::{Area, Lettering, Mark, Part, Rim, Shape, shade};
 use crate::compare::path::Subpath;
-use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
 use crate::compare::values::unworked;
 use crate::compare::viewport;
@@ -123,9 +122,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let mut shown = true;
         for element in chain {
             self.visit(element)?;
-            if !self.rules.is_empty() {
-                self.path.push(tag(element));
-            }
+            self.enter(element);
             if let Some((ink, own)) = inner.ink.inside(element, &self.rules, &self.path) {
                 (inner.ink, inner.own) = (ink, own);
             } else {
@@ -196,15 +193,11 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Err(Fault::at(offset, Problem::TooDeep { limit: super::DEPTH }));
         }
         for child in node.children().filter(|n| matches!(n.tag_name().name(), "tspan" | "a" | "textPath")) {
-            if !self.rules.is_empty() {
-                self.path.push(tag(child));
-            }
+            self.enter(child);
             if let Some(inner) = self.inside(child, around)? {
                 self.text_part(child, &inner, start, stretch, depth + 1)?;
             }
-            if !self.rules.is_empty() {
-                self.path.pop();
-            }
+            self.path.pop();
         }
         Ok(())
     }

@@ -50,7 +50,7 @@ use super::markup::is_svg;
 use super::painting::{Area, Clip, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use super::served::Servers;
-use super::tags::{size, tag};
+use super::tags::{by_id, size, tag};
 use super::transform::Transform;
 use super::values::unworked;
 use super::viewport::Room;
@@ -330,9 +330,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         if !is_svg(node) || !has_its_conditions(node) || !self.is_drawn(name) {
             return Ok(());
         }
-        if !self.rules.is_empty() {
-            self.path.push(tag(node));
-        }
+        self.enter(node);
         let before = (self.blank, self.out.painting.coats.len() as u32);
         let inside = self.inside(node, outer)?;
         self.blank += usize::from(inside.is_none() && outer.decorates && name != "text");
@@ -370,9 +368,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             let coats = before.1..self.out.painting.coats.len() as u32;
             self.out.halves.push(Half { name, coats, lacks: !is_displayed || self.blank > before.0 });
         }
-        if !self.rules.is_empty() {
-            self.path.pop();
-        }
+        self.path.pop();
         Ok(())
     }
 
@@ -386,6 +382,13 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         let text = node.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect::<String>();
         self.out.names.push(Name { element, text: text.trim().to_owned(), coats, noted });
+    }
+
+    /// Notes an element for the rules of style sheets, if there are any; [`pop`](Vec::pop) from the path leaves it.
+    fn enter(&mut self, node: Node<'_, '_>) {
+        if !self.rules.is_empty() {
+            self.path.push(tag(node));
+        }
     }
 
     /// Counts an element, up to the cap.
@@ -487,10 +490,7 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     fn by_id(&mut self, id: &str) -> Option<Node<'a, 'i>> {
         if self.ids.is_empty() {
-            let named = self.document.descendants().filter_map(|n| Some((n.attribute("id")?, n)));
-            for (id, node) in named {
-                self.ids.entry(id).or_insert(node);
-            }
+            self.ids = by_id(self.document.descendants());
         }
         self.ids.get(id).copied()
     }

@@ -35,6 +35,13 @@ pub(in crate::compare) struct Line {
     pub(in crate::compare) dashes: [u32; 2],
 }
 
+impl Line {
+    /// One that can be seen and has nothing else about it.
+    pub(in crate::compare) fn plain(ends: [Point; 2], half: f64, shape: u32) -> Self {
+        Self { ends, half, hidden: None, aside: false, legend: 0, shape, curved: false, dashes: [0; 2] }
+    }
+}
+
 /// A filled outline.
 #[derive(Clone, PartialEq, Debug)]
 pub(in crate::compare) struct Outline {

@@ -70,9 +70,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let outside = std::mem::take(&mut self.path);
         self.path = self.tags_around(target)?;
         if matches!(target.tag_name().name(), "symbol" | "svg") {
-            if !self.rules.is_empty() {
-                self.path.push(tag(target));
-            }
+            self.enter(target);
             if let Some(styled) = self.inside(target, &around)? {
                 let inner = self.inner(target, node, corner, styled)?;
                 self.children(target, &inner, depth + 1)?;

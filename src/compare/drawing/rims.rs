@@ -14,7 +14,7 @@ use super::slack::Slack;
 use super::{Drawing, Line};
 use crate::compare::ends::Loose;
 use crate::compare::painting::Shape;
-use crate::compare::pairing::distance;
+use crate::compare::pairing::{distance, middle};
 use crate::plane::Point;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -43,15 +43,14 @@ impl Frame {
     pub(super) fn of(points: &[Point], slender: f64, fit: f64) -> Option<Self> {
         let &[a, b, c, d] = points else { return None };
         let half = |p: Point, q: Point| Point::new(0.5 * (q.x - p.x), 0.5 * (q.y - p.y));
-        let middle = Point::new(0.5 * (a.x + c.x), 0.5 * (a.y + c.y));
-        let other = Point::new(0.5 * (b.x + d.x), 0.5 * (b.y + d.y));
+        let [at, other] = [[a, c], [b, d]].map(middle);
         let halves = [half(a, b), half(b, c)];
         let [long, wide] = halves.map(|h| h.x.hypot(h.y));
         let slack = fit * long.min(wide);
         let is_right = (halves[0].x * halves[1].x + halves[0].y * halves[1].y).abs() <= fit * long * wide;
-        let is_even = distance(middle, other) <= slack && (distance(a, c) - distance(b, d)).abs() <= slack;
+        let is_even = distance(at, other) <= slack && (distance(a, c) - distance(b, d)).abs() <= slack;
         let is_stout = long.min(wide) > 0.0 && long.max(wide) <= slender * long.min(wide);
-        (is_right && is_even && is_stout).then_some(Self { middle, halves, rim: 0.0 })
+        (is_right && is_even && is_stout).then_some(Self { middle: at, halves, rim: 0.0 })
     }
 
     /// How far a point lies beyond the sides; less than 0 within.

@@ -18,7 +18,7 @@ use super::slack::Slack;
 use super::{Dot, Drawing, Line};
 use crate::compare::eye::{FAINT, contrast};
 use crate::compare::painting::{Area, Coat, Disc, Part, Shape};
-use crate::compare::pairing::{Places, distance, distance_to, span};
+use crate::compare::pairing::{Places, distance, distance_to, middle, span};
 use crate::compare::rings::{self, open};
 use crate::geometry::point;
 use crate::plane::Point;
@@ -280,15 +280,11 @@ fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Op
     // Of the circle that covers as much.
     let radius = (0.5 * rings::area(corners.iter().copied()).abs() / std::f64::consts::PI).sqrt();
     // A triangle of a plotting program stands about the middle of its box.
-    let mut found = [mean, middle(low, high)].into_iter().filter_map(inner);
+    let mut found = [mean, middle([low, high])].into_iter().filter_map(inner);
     let first = found.next()?;
     let second = found.next().unwrap_or(first);
     let middles = [first, second];
     Some(Stamp { shape, frame: None, is_square: false, middles, radii: [radius; 2], is_hollow, corners })
-}
-
-fn middle(p: Point, q: Point) -> Point {
-    Point::new(0.5 * (p.x + q.x), 0.5 * (p.y + q.y))
 }
 
 /// The middle of a square, and half its side.
@@ -297,8 +293,8 @@ fn square(points: &[Point]) -> Option<(Point, f64)> {
     let (side, diagonal) = (distance(a, b), distance(a, c));
     let slack = FIT * side;
     let even = [(b, c), (c, d), (d, a)].iter().all(|(p, q)| (distance(*p, *q) - side).abs() <= slack);
-    let right = (distance(b, d) - diagonal).abs() <= slack && distance(middle(a, c), middle(b, d)) <= slack;
-    (side > 0.0 && even && right).then_some((middle(a, c), 0.5 * side))
+    let right = (distance(b, d) - diagonal).abs() <= slack && distance(middle([a, c]), middle([b, d])) <= slack;
+    (side > 0.0 && even && right).then_some((middle([a, c]), 0.5 * side))
 }
 
 /// The middle of a cross, and the radius of its dot.
@@ -307,8 +303,8 @@ fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(Point, f64)> {
     let slack = FIT * long;
     let (x, y) = ([b.x - a.x, d.x - c.x], [b.y - a.y, d.y - c.y]);
     let is_right = (x[0] * x[1] + y[0] * y[1]).abs() <= slack * other;
-    let fits = (long - other).abs() <= slack && distance(middle(a, b), middle(c, d)) <= slack;
-    (long > 0.0 && is_right && fits).then_some((middle(a, b), 0.35 * long))
+    let fits = (long - other).abs() <= slack && distance(middle([a, b]), middle([c, d])) <= slack;
+    (long > 0.0 && is_right && fits).then_some((middle([a, b]), 0.35 * long))
 }
 
 /// The coats of a stamp become a disc, and a rim if it has one of its own.

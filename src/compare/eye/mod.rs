@@ -23,6 +23,7 @@ use super::cells::{cell, column, entries, level, pieces};
 use super::ink::Hidden;
 use super::painting::{Coat, Disc, Mark, Painting, Part, Shape};
 use super::pairing::distance;
+use crate::geometry::point::corners;
 use crate::plane::Point;
 use gaps::Gap;
 pub(super) use gaps::Way;
@@ -86,10 +87,7 @@ impl<'a> Eye<'a> {
         let mut cells = Vec::with_capacity(2 * painting.coats.len());
         let finest = span / 2048.0;
         let slack = span * 2e-4;
-        let corner = painting.coats.iter().fold(Point::new(f64::INFINITY, f64::INFINITY), |low, coat| {
-            let [p, _] = coat.corners();
-            Point::new(low.x.min(p.x), low.y.min(p.y))
-        });
+        let [corner, _] = corners(painting.coats.iter().map(|coat| coat.corners()[0]));
         let corner = Point::new(corner.x - slack, corner.y - slack);
         for (i, coat) in painting.coats.iter().enumerate() {
             let [low, high] = coat.corners();
@@ -202,8 +200,7 @@ impl<'a> Eye<'a> {
     fn is_name(&mut self, i: u32) -> bool {
         let painting = self.painting;
         let text = &painting.coats[i as usize];
-        let [low, high] = text.corners();
-        self.look(Point::new(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)));
+        self.look(text.middle());
         let is_disc = |&j: &u32| match &painting.coats[j as usize] {
             Coat { shape: Shape::Disc(disc), part: Part::Dot, .. } => text.diameter() <= NAME * disc.reach,
             _ => false,

@@ -11,17 +11,17 @@
 //! ```
 
 use super::draw::{Stage, union};
-use super::frames::{Film, Frame, has};
+use super::frames::{Film, Frame};
 use super::reel::Reel;
 use super::sheet::{Caption, head_height, heading};
 use super::sides;
 use super::slip::Slip;
 use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::vector::xy;
-use crate::figure::layout::grid::{GAP, PANEL, SHEET};
+use crate::figure::layout::grid::GAP;
 use crate::figure::{Figure, FigureError, FigureOptions};
 use crate::ids::Element;
-use crate::topology::{Change, Slot, violations};
+use crate::topology::{Change, Slot, has, violations};
 
 /// So many invariants that do not hold are written out.
 const MOST: usize = 2;
@@ -154,7 +154,7 @@ impl SlipFilm {
             let slipped: Vec<(Slip, String)> =
                 self.slips.iter().filter_map(|slip| Some((*slip, slip.in_step(&right.changes)?))).collect();
             if !slipped.is_empty() {
-                frame.marked = slipped.iter().map(|(slip, _)| slip.owner()).collect();
+                frame.marked = slipped.iter().map(|(slip, _)| slip.slot.owner()).collect();
                 frame.text = slipped.into_iter().map(|(_, words)| words).collect::<Vec<_>>().join("; ");
             }
         }
@@ -206,9 +206,7 @@ impl SlipFilm {
 
     /// The pairs, drawn.
     fn reel(&self, options: &FigureOptions) -> Result<Reel, FigureError> {
-        let mut options = options.checked();
-        options.usual_width = PANEL;
-        options.widest = SHEET;
+        let mut options = options.of_panels();
         options.crop = None;
         let roomy = self.film.with_room(&mut options)?.map(|film| Self { film, slips: self.slips.clone() });
         let this = roomy.as_ref().unwrap_or(self);

@@ -1,11 +1,9 @@
 //! A film of edits as a strip, a stepper, a page, or single frames.
 
 use super::draw::{Stage, union};
-use super::frames::{Film, Frame};
+use super::frames::Film;
 use super::reel::Reel;
-use super::sheet::Caption;
 use super::sides;
-use crate::figure::layout::grid::{PANEL, SHEET};
 use crate::figure::{Figure, FigureError, FigureOptions};
 
 impl Film {
@@ -50,15 +48,13 @@ impl Film {
 
     /// The frames, drawn.
     fn reel(&self, options: &FigureOptions) -> Result<Reel, FigureError> {
-        let mut options = options.checked();
-        options.usual_width = PANEL;
-        options.widest = SHEET;
+        let mut options = options.of_panels();
         options.crop = None;
         let roomy = self.with_room(&mut options)?;
         let film = roomy.as_ref().unwrap_or(self);
         let options = &options;
         let frames = film.frames();
-        let captions = captions(&frames);
+        let captions = frames.iter().map(|frame| (frame.heading.clone(), frame.text.clone())).collect();
         #[cfg(feature = "solid")]
         if !self.solids.is_empty() {
             let (scene, drawings, detail) = super::space::draw(&self.solids, &frames, options)?;
@@ -77,8 +73,4 @@ impl Film {
         let detail = stage.plates[0].picture.detail;
         Ok(Reel { scene, captions, drawings, detail, notes: Vec::new() })
     }
-}
-
-fn captions(frames: &[Frame]) -> Vec<Caption> {
-    frames.iter().map(|frame| (frame.heading.clone(), frame.text.clone())).collect()
 }

@@ -17,7 +17,7 @@ use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
 #[cfg(feature = "solid")]
 use crate::solid::Polyhedron;
-use crate::topology::{Change, Dcel, Journal, Slot, Table, View};
+use crate::topology::{Change, Dcel, Journal, Slot, Table, View, has};
 use std::collections::BTreeMap;
 
 /// Edits to be shown frame by frame.
@@ -409,16 +409,6 @@ fn new_in(table: &Table, before: &Table) -> Vec<Element> {
     vertices.chain(edges).chain(faces).filter(|&element| has(table, element) && !has(before, element)).collect()
 }
 
-/// Whether the element is in the table.
-pub(super) fn has(table: &Table, element: Element) -> bool {
-    match element {
-        Element::Vertex(v) => table.has_vertex(v),
-        Element::HalfEdge(h) => table.has_half_edge(h),
-        Element::Edge(e) => table.has_half_edge(e.half_edges()[0]),
-        Element::Face(f) => table.has_face(f),
-    }
-}
-
 fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize; 2], marked: Vec<Element>) -> Frame {
     Frame {
         heading: heading.to_owned(),
@@ -457,7 +447,7 @@ fn written(changes: &[Change], before: &Table) -> Vec<Written> {
     for change in changes {
         let Change::Write { slot, old, new } = *change else { continue };
         let at = *index.entry(slot.to_string()).or_insert_with(|| {
-            net.push((slot, old.filter(|_| exists(slot, before)), None));
+            net.push((slot, old.filter(|_| has(before, slot.owner())), None));
             net.len() - 1
         });
         net[at].2 = new;
@@ -470,15 +460,6 @@ fn written(changes: &[Change], before: &Table) -> Vec<Written> {
             gone.into_iter().chain(new)
         })
         .collect()
-}
-
-/// Whether the element that stores the pointer was there.
-fn exists(slot: Slot, table: &Table) -> bool {
-    match slot {
-        Slot::Outgoing(v) => table.has_vertex(v),
-        Slot::HalfEdge(f) => table.has_face(f),
-        Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => table.has_half_edge(h),
-    }
 }
 
 fn elements(changes: &[Change], come: bool) -> Vec<Element> {

@@ -12,17 +12,13 @@
 use super::style;
 use crate::figure::FigureOptions;
 use crate::figure::canvas::scene::{Group, Node, Scene};
-use crate::figure::canvas::text::{clean, wrap};
+use crate::figure::canvas::text::clean;
 use crate::figure::canvas::vector::{Xy, xy};
-use crate::figure::layout::grid::{GAP, columns};
+use crate::figure::layout::grid::{self, BELOW, GAP, columns};
 use crate::figure::structure::pointer_style;
 
 /// What stands above a frame: its heading, and the text below it.
 pub(super) type Caption = (String, String);
-/// Size of a heading and how far its lines are apart; at most two.
-const HEADING: (f64, f64, usize) = (14.0, 17.0, 2);
-/// The same for the text below it.
-const TEXT: (f64, f64, usize) = (11.0, 14.0, 3);
 /// Height of the links between frames.
 const LINKS: f64 = 20.0;
 
@@ -84,26 +80,12 @@ pub(super) fn below(caption: &Caption, head: f64, width: f64, drawing: Vec<Node>
 
 /// Room for the tallest heading.
 pub(super) fn head_height(frames: &[Caption], width: f64) -> f64 {
-    let height = |(heading, text): &Caption| {
-        let lines = |words: &str, (size, step, most): (f64, f64, usize), bold: bool| {
-            wrap(words, size, bold, width - 16.0, most).len() as f64 * step
-        };
-        lines(heading, HEADING, true) + lines(text, TEXT, false)
-    };
-    frames.iter().map(height).fold(0.0, f64::max) + 8.0
+    frames.iter().map(|(heading, text)| grid::heading(heading, text, width).1).fold(0.0, f64::max) + BELOW
 }
 
 /// The lines above a drawing.
 pub(super) fn heading((heading, text): &Caption, width: f64) -> Vec<Node> {
-    let mut y = 0.0;
-    let mut out = Vec::new();
-    for (words, (size, step, most), class) in [(heading, HEADING, "ct"), (text, TEXT, "cs")] {
-        for line in wrap(&clean(words), size, class == "ct", width - 16.0, most) {
-            y += step;
-            out.push(Node::Text { class, at: xy(8.0, y - 0.3 * size), size, text: line });
-        }
-    }
-    out
+    grid::heading(&clean(heading), &clean(text), width).0
 }
 
 /// The links to the frames before and after, and the number of this one.

@@ -75,12 +75,7 @@ pub(super) fn css(style: &Style, scope: &str, placed: &[Placed]) -> String {
     }
     let _ = writeln!(out, "#{scope} .glued .gl{{fill:none;stroke-width:3;stroke-linecap:round}}");
     let _ = writeln!(out, "#{scope} .glued .gt{{font-weight:700;font-style:italic}}");
-    colours(&mut out, scope, &style.light);
-    if let Some(dark) = &style.dark {
-        out.push_str("@media (prefers-color-scheme:dark){\n");
-        colours(&mut out, scope, dark);
-        out.push_str("}\n");
-    }
+    style.in_both(&mut out, |out, palette| colours(out, scope, palette));
     out
 }
 

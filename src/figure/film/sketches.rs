@@ -14,7 +14,7 @@ use super::reel::Reel;
 use super::sheet::Caption;
 use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::vector::xy;
-use crate::figure::layout::grid::{PANEL, SHEET};
+use crate::figure::layout::grid::PANEL;
 use crate::figure::sketch::{self, Backdrop, Drawn, Multiples, Sketch, SketchError};
 use crate::figure::structure::skeleton::half_edges;
 use crate::figure::{FaceLabels, Figure, FigureOptions};
@@ -154,9 +154,7 @@ impl SketchFilm {
 
     /// The frames, drawn, with a legend each if that is asked for; and the legend of all.
     fn reel(&self, options: &FigureOptions, legends: bool) -> Result<(Reel, Vec<sketch::Entry>), SketchError> {
-        let mut options = options.checked();
-        options.usual_width = PANEL;
-        options.widest = SHEET;
+        let mut options = options.of_panels();
         let edges = |frame: &SketchFrame| frame.under.as_ref().map_or(0, |(table, _)| half_edges(table).count() / 2);
         if self.is_quiet {
             options.width.get_or_insert(PANEL);

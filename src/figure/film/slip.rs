@@ -97,13 +97,4 @@ impl Slip {
             None => format!("left out: {} = {right}", self.slot),
         })
     }
-
-    /// The element whose pointer it is.
-    pub(super) fn owner(self) -> Element {
-        match self.slot {
-            Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => h.into(),
-            Slot::Outgoing(v) => v.into(),
-            Slot::HalfEdge(f) => f.into(),
-        }
-    }
 }

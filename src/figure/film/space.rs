@@ -10,7 +10,6 @@
 use super::frames::Frame;
 use crate::figure::canvas::scene::{Node, Scene};
 use crate::figure::kinds::solid::{Camera, HiddenLines, Shown, UP};
-use crate::figure::layout::fit::Fit;
 use crate::figure::sketch::{self, Backdrop, Canvas, Drawing};
 use crate::figure::structure::look::Mark;
 use crate::figure::structure::part::Part;
@@ -27,17 +26,12 @@ pub(super) fn draw(
 ) -> Result<(Scene, Vec<Vec<Node>>, Detail), FigureError> {
     let shown: Vec<Shown<'_>> = Camera::default().film(solids, HiddenLines::Dashed, UP);
     let points: Vec<Point> = shown.iter().flat_map(Shown::points).collect();
-    let mut best: Option<(Fit, Detail)> = None;
-    for state in &shown {
+    let fits = shown.iter().map(|state| {
         let part: &dyn PlanarView = &Part::new(&state.projected, &state.faces)?;
-        let (fit, detail) = Picture::survey(part, options, points.clone())?.choose(options);
-        let is_better =
-            |(known, least): &(Fit, Detail)| detail < *least || (detail == *least && fit.scale > known.scale);
-        if best.as_ref().is_none_or(is_better) {
-            best = Some((fit, detail));
-        }
-    }
-    let (fit, detail) = best.unwrap_or_else(|| sketch::lone_fit(points.clone(), options));
+        Ok(Picture::survey(part, options, points.clone())?.choose(options))
+    });
+    let fit = sketch::common_fit(fits.collect::<Result<_, FigureError>>()?);
+    let (fit, detail) = fit.unwrap_or_else(|| sketch::lone_fit(points.clone(), options));
     let mut drawings = Vec::with_capacity(frames.len());
     for (i, frame) in frames.iter().enumerate() {
         let Shown { sketch, projected, faces } = &shown[frame.areas];

@@ -8,7 +8,7 @@
 //! ```
 
 use crate::figure::canvas::number::drawn;
-use crate::figure::canvas::style::{Palette, Style};
+use crate::figure::canvas::style::{Palette, Style, rule};
 use crate::figure::canvas::vector::Xy;
 use std::fmt::Write;
 
@@ -27,7 +27,7 @@ pub(super) fn marks(style: &Style, scope: &str) -> String {
         (".chips .cl", "font-weight:700".to_owned()),
         (".nav", "text-decoration:underline".to_owned()),
     ] {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
+        rule(&mut out, scope, selector, &properties);
     }
     style.in_both(&mut out, |out, palette| colours(out, scope, palette));
     out

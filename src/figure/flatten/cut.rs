@@ -2,6 +2,7 @@
 
 use super::clear;
 use super::disc::{Disc, RADIUS, Web};
+use crate::geometry::grouping::Joined;
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, VertexId, VertexMap};
 use crate::topology::Dcel;
 use std::collections::{BTreeMap, BTreeSet};
@@ -260,22 +261,12 @@ fn cut(dcel: &Dcel, before: Option<&Spread>) -> BTreeSet<EdgeId> {
     let mut edges: Vec<EdgeId> = dcel.edges().collect();
     edges.sort_by_key(|e| (rank(e), *e));
     // A spanning tree of the dual graph.
-    let mut leader: Vec<usize> = (0..dcel.face_bound()).collect();
-    let find = |leader: &mut Vec<usize>, mut f: usize| {
-        while leader[f] != f {
-            leader[f] = leader[leader[f]];
-            f = leader[f];
-        }
-        f
-    };
+    let mut joined = Joined::none(dcel.face_bound());
     let mut is_cut: BTreeSet<EdgeId> = BTreeSet::new();
     for e in edges {
-        let [a, b] = e.half_edges().map(|h| dcel.face(h).index());
-        let (a, b) = (find(&mut leader, a), find(&mut leader, b));
-        if a == b {
+        let [a, b] = e.half_edges().map(|h| dcel.face(h).number());
+        if !joined.join(a, b) {
             is_cut.insert(e);
-        } else {
-            leader[a.max(b)] = a.min(b);
         }
     }
     // What dangles of the cut is sewn up.

@@ -8,7 +8,7 @@
 //! ```
 
 use crate::figure::canvas::crop;
-use crate::figure::layout::grid::{PANEL, Panel, SHEET, arrange, columns};
+use crate::figure::layout::grid::{Panel, arrange, columns};
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
@@ -42,9 +42,7 @@ use crate::plane::PlanarView;
 /// ```
 pub fn pointers(view: &dyn PlanarView, families: &[Pointers], options: &FigureOptions) -> Result<Figure, FigureError> {
     let view: &dyn PlanarView = &Part::of(view, options)?;
-    let mut options = options.checked();
-    options.usual_width = PANEL;
-    options.widest = SHEET;
+    let mut options = options.of_panels();
     // Smaller than in other figures: face arrows need the room.
     options.style.face_text = options.style.face_text.min(14.0);
     let options = &options;

@@ -106,18 +106,7 @@ pub fn records(options: &FigureOptions) -> Figure {
                    vertex to one half-edge that leaves it; a face to one half-edge of its boundary; the structure \
                    owns the lists of all three.";
     let css = options.style.css(&prefix) + &pointer_style::css(&options.style, &prefix);
-    let scene = Scene {
-        unit: options.unit,
-        plain: options.plain,
-        size: SIZE,
-        css,
-        prefix,
-        title: options.title.clone(),
-        description: options.description.clone().unwrap_or_else(|| reading.to_owned()),
-        attributes: vec![("data-figure", "dcel-records".to_owned())],
-        hatches: Vec::new(),
-        nodes,
-    };
+    let scene = Scene { css, nodes, ..options.scene("dcel-records", SIZE, reading.to_owned()) };
     Figure { scene, detail: Detail::Full, notes: Vec::new() }
 }
 

@@ -11,6 +11,7 @@
 //! computations*, 2008.
 
 use crate::figure::canvas::scene::{Node, Polylines, Scene};
+use crate::figure::canvas::style::rule;
 use crate::figure::canvas::vector::xy;
 use crate::figure::canvas::{number, scripts, text};
 use crate::figure::layout::options::FigureOptions;
@@ -234,37 +235,23 @@ pub fn robustness(points: &NearlyCollinear, options: &FigureOptions) -> Figure {
     let prefix = options.prefix();
     let mut css = options.css();
     for (class, properties) in [
-        ("strong", "fill-opacity:.9".to_owned()),
-        ("ct", "font-weight:700;text-anchor:start".to_owned()),
-        ("cs", "text-anchor:start".to_owned()),
-        ("truth", "fill:none;stroke-width:1;stroke-linecap:square".to_owned()),
+        (".strong", "fill-opacity:.9"),
+        (".ct", "font-weight:700;text-anchor:start"),
+        (".cs", "text-anchor:start"),
+        (".truth", "fill:none;stroke-width:1;stroke-linecap:square"),
     ] {
-        css.push_str(&format!("#{prefix} .{class}{{{properties}}}\n"));
+        rule(&mut css, &prefix, class, properties);
     }
     options.style.in_both(&mut css, |css, palette| {
-        for (class, key) in [("ct", "fill"), ("cs", "fill"), ("truth", "stroke")] {
-            css.push_str(&format!("#{prefix} .{class}{{{key}:{}}}\n", palette.ink));
+        for (class, key) in [(".ct", "fill"), (".cs", "fill"), (".truth", "stroke")] {
+            rule(css, &prefix, class, &format!("{key}:{}", palette.ink));
         }
     });
     let about = format!(
         "A map of {cells} points next to a line. Strong cells show where the orientation test in doubles is wrong: \
          {wrong} times."
     );
-    let scene = Scene {
-        size,
-        unit: options.unit,
-        plain: options.plain,
-        prefix,
-        title: options.title.clone(),
-        description: options.description.clone().unwrap_or(about),
-        attributes: vec![
-            ("data-figure", "robustness".to_owned()),
-            ("data-cells", cells.to_string()),
-            ("data-wrong", wrong.to_string()),
-        ],
-        css,
-        hatches: Vec::new(),
-        nodes,
-    };
+    let mut scene = Scene { css, nodes, ..options.scene("robustness", size, about) };
+    scene.attributes.extend([("data-cells", cells.to_string()), ("data-wrong", wrong.to_string())]);
     Figure { scene, detail: Detail::Full, notes: Vec::new() }
 }

@@ -20,7 +20,6 @@ use crate::figure::structure::skeleton::{faces, half_edges, vertices};
 use crate::figure::{Figure, FigureError, FigureOptions};
 use crate::ids::{Element, FaceId, Id};
 use crate::plane::PlanarView;
-use crate::topology::InnerComponent;
 use std::collections::BTreeMap;
 
 /// Height of a row, and the size of its text.
@@ -189,12 +188,8 @@ fn vertex_table(view: &dyn PlanarView, names: &Names) -> Words {
 }
 
 fn face_table(view: &dyn PlanarView, names: &Names) -> Words {
-    let ring = |ring: &InnerComponent| match ring {
-        InnerComponent::Cycle(h) => h.to_string(),
-        InnerComponent::Isolated(v) => v.to_string(),
-    };
     let row = |f| {
-        let rings: Vec<String> = view.inner_components(f).iter().map(ring).collect();
+        let rings: Vec<String> = view.inner_components(f).iter().map(|&ring| Element::from(ring).to_string()).collect();
         vec![f.to_string(), word(view.half_edge(f)), if rings.is_empty() { "–".to_owned() } else { rings.join(" ") }]
     };
     let head = ["", "half-edge", "inner components"].to_vec();

@@ -10,7 +10,8 @@
 
 use crate::figure::sketch::{Backdrop, Glyph, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::plane::{Point, Voronoi, VoronoiCells, Window};
+use crate::geometry::point::corners;
+use crate::plane::{Voronoi, VoronoiCells, Window};
 
 /// With more corners of cells than this, these have no marks of their own.
 const MARKED: usize = 300;
@@ -43,12 +44,7 @@ pub fn voronoi_cells(
     options: &FigureOptions,
 ) -> Result<Figure, SketchError> {
     let mut sketch = Sketch::new();
-    let corners = cells.subdivision.vertices().map(|v| cells.subdivision.point(v));
-    let wide = |(low, high): (Point, Point), p: Point| {
-        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-    };
-    let start = Point::new(f64::INFINITY, f64::INFINITY);
-    let (low, high) = corners.fold((start, Point::new(-start.x, -start.y)), wide);
+    let [low, high] = corners(cells.subdivision.vertices().map(|v| cells.subdivision.point(v)));
     add_sites(&mut sketch, voronoi, &Window { low, high }, triangulation);
     let options = options.clone().without_half_edges(cells.subdivision.edge_count());
     sketch.over(&cells.subdivision, Backdrop::Plain, &options)

@@ -12,6 +12,7 @@
 
 use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::layout::options::{Detail, FigureOptions};
+use crate::geometry::point::corners;
 use crate::plane::Point;
 
 /// Structures with at most this many edges may grow.
@@ -53,13 +54,11 @@ pub(crate) struct Extent {
 
 impl Extent {
     pub(crate) fn of(points: impl IntoIterator<Item = Point>) -> Self {
-        let wide = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
-        let none = (f64::INFINITY, f64::NEG_INFINITY);
-        let (x, y) = points.into_iter().fold((none, none), |(x, y), p| (wide(x, p.x), wide(y, p.y)));
-        if x.0 > x.1 {
+        let [low, high] = corners(points);
+        if low.x > high.x {
             return Self { corner: Point::default(), size: Xy::default() };
         }
-        Self { corner: Point::new(x.0, y.1), size: xy(x.1 - x.0, y.1 - y.0) }
+        Self { corner: Point::new(low.x, high.y), size: xy(high.x - low.x, high.y - low.y) }
     }
 
     /// The longer side.

@@ -9,7 +9,7 @@
 //! ```
 
 use crate::figure::canvas::scene::{Group, Node};
-use crate::figure::canvas::text;
+use crate::figure::canvas::text::wrap;
 use crate::figure::canvas::vector::{Xy, xy};
 
 /// Width of a sheet of panels: that of a page, on which the smallest letters keep their size.
@@ -22,6 +22,8 @@ pub(crate) const PANEL: f64 = 0.5 * (SHEET - GAP);
 const HEADING: (f64, f64, usize) = (14.0, 17.0, 2);
 /// The same for the sentence below it.
 const TEXT: (f64, f64, usize) = (11.0, 14.0, 3);
+/// Space between a caption and what it is about.
+pub(crate) const BELOW: f64 = 8.0;
 
 /// A panel: its caption and what is drawn.
 pub(crate) struct Panel {
@@ -61,17 +63,23 @@ pub(crate) fn arrange(panels: Vec<Panel>, size: Xy, columns: usize) -> (Vec<Node
     (nodes, xy(length(columns, whole.x), length(count.div_ceil(columns).max(1), whole.y)))
 }
 
-/// The lines of a caption and their height.
+/// The lines of a caption and their height, with the space below them.
 fn caption(panel: &Panel, width: f64) -> (Vec<Node>, f64) {
+    let (nodes, height) = heading(&panel.heading, &panel.text, width);
+    (nodes, if height > 0.0 { height + BELOW } else { 0.0 })
+}
+
+/// The lines of a heading and of the sentence below it, and their height.
+pub(crate) fn heading(heading: &str, text: &str, width: f64) -> (Vec<Node>, f64) {
     let mut y = 0.0;
     let mut out = Vec::new();
-    for (words, (size, step, most), class) in [(&panel.heading, HEADING, "ct"), (&panel.text, TEXT, "cs")] {
-        for line in text::wrap(words, size, class == "ct", width - 16.0, most) {
+    for (words, (size, step, most), class) in [(heading, HEADING, "ct"), (text, TEXT, "cs")] {
+        for line in wrap(words, size, class == "ct", width - 16.0, most) {
             y += step;
             out.push(Node::Text { class, at: xy(8.0, y - 0.3 * size), size, text: line });
         }
     }
-    (out, if y > 0.0 { y + 8.0 } else { 0.0 })
+    (out, y)
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! What the caller may choose about a figure.
 
+use crate::figure::canvas::scene::{Hatch, Scene};
 use crate::figure::canvas::text;
-use crate::figure::layout::grid::SHEET;
+use crate::figure::canvas::vector::Xy;
+use crate::figure::layout::grid::{PANEL, SHEET};
 use crate::figure::{Overrides, Style, Unit};
 use crate::ids::{Element, FaceId, Id};
 use crate::plane::Point;
@@ -292,9 +294,34 @@ impl FigureOptions {
         format!("{}{}", self.style.css(&prefix), self.overrides.css(&prefix))
     }
 
+    /// A document of this kind without nodes; `about` is what it says of itself unless the caller describes it.
+    pub(crate) fn scene(&self, kind: &str, size: Xy, about: String) -> Scene {
+        let step = self.style.hatch_step;
+        Scene {
+            size,
+            unit: self.unit,
+            plain: self.plain,
+            prefix: self.prefix(),
+            title: self.title.clone(),
+            description: self.description.clone().unwrap_or(about),
+            attributes: vec![("data-figure", kind.to_owned())],
+            css: self.css(),
+            hatches: vec![
+                Hatch { name: "hatch", step, degrees: 45 },
+                Hatch { name: "hole-hatch", step: 1.6 * step, degrees: -45 },
+            ],
+            nodes: Vec::new(),
+        }
+    }
+
     /// The same options with a style that the layout can work with.
     pub(crate) fn checked(&self) -> Self {
         Self { style: self.style.checked(), ..self.clone() }
+    }
+
+    /// The same for panels on a sheet.
+    pub(crate) fn of_panels(&self) -> Self {
+        Self { usual_width: PANEL, widest: SHEET, ..self.checked() }
     }
 
     pub(crate) fn name(&self, face: FaceId) -> Option<&str> {

@@ -97,13 +97,9 @@ impl Field {
     }
 
     fn is_inside(&self, p: Xy) -> bool {
-        let mut inside = false;
-        for &(a, b) in &self.sides {
-            if (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x {
-                inside = !inside;
-            }
-        }
-        inside
+        let is_right =
+            |(a, b): &&(Xy, Xy)| (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
+        self.sides.iter().filter(is_right).count() % 2 == 1
     }
 
     /// Positive inside the rings (even-odd) and outside all obstacles. `near` names, in ascending order, the sides

@@ -19,11 +19,10 @@ use crate::figure::canvas::scene::Node;
 use crate::figure::structure;
 use crate::figure::structure::skeleton::{destination, faces, half_edges, vertices};
 use crate::figure::{Detail, Figure, FigureError, FigureOptions};
-use crate::ids::{FaceId, HalfEdgeId, Id, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, Id, VertexId};
 use crate::plane::PlanarView;
-use crate::topology::InnerComponent;
 use std::collections::BTreeSet;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// A table has no more rows than this.
 const ROWS: usize = 1000;
@@ -193,10 +192,7 @@ impl Tables<'_> {
 
     fn face_table(&self) -> String {
         let row = |f: FaceId| {
-            let rings = self.view.inner_components(f).iter().map(|ring| match ring {
-                InnerComponent::Cycle(h) => self.target(*h),
-                InnerComponent::Isolated(v) => self.target(*v),
-            });
+            let rings = self.view.inner_components(f).iter().map(|&ring| self.target(Element::from(ring)));
             let cells = [("boundary", self.pointer(self.view.half_edge(f))), ("rings", rings.collect())];
             let name = self.options.name(f);
             let outer = self.view.outer_face() == Some(f);
@@ -258,7 +254,7 @@ impl Tables<'_> {
     }
 
     /// The element in the picture, else its row.
-    fn target(&self, id: impl Id) -> Target {
+    fn target(&self, id: impl Display) -> Target {
         let (name, prefix) = (id.to_string(), &self.prefix);
         let place = if self.drawn.contains(&name) {
             Some(format!("{prefix}-{name}"))

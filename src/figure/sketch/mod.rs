@@ -66,6 +66,8 @@ pub use sheet::Backdrop;
 pub(in crate::figure) use draw::Canvas;
 pub(in crate::figure) use legend::{Entry, merged, nodes as legend_nodes};
 pub(in crate::figure) use multiples::Drawn;
+#[cfg(feature = "solid")]
+pub(in crate::figure) use multiples::common_fit;
 pub(in crate::figure) use sheet::{Below, Drawing, check, extent, lone_fit, roles, scene};
 
 use super::FigureError;

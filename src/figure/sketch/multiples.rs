@@ -114,10 +114,7 @@ impl<'a> Multiples<'a> {
     /// # Errors
     /// Those of [`Sketch::over`].
     pub fn figure(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
-        let mut options = options.checked();
-        options.usual_width = grid::PANEL;
-        options.widest = grid::SHEET;
-        let options = &options;
+        let options = &options.of_panels();
         let Drawn { panels, fit, detail, roles, legend, notes } = self.drawn(options)?;
         let usual = || grid::columns(panels.len(), fit.size.x);
         let columns = options.columns.or(self.columns).unwrap_or_else(usual);
@@ -173,17 +170,15 @@ impl<'a> Multiples<'a> {
 
     /// One fit for all: that of the structure that needs most, or of the sketches if there is none.
     fn layout(&self, points: Vec<Point>, options: &FigureOptions) -> Result<(Fit, Detail), FigureError> {
-        let mut best: Option<(Fit, Detail)> = None;
-        for (view, _) in self.panels.iter().filter_map(|panel| panel.view) {
-            let (fit, detail) = Picture::survey(view, options, points.clone())?.choose(options);
-            let is_better =
-                |(known, least): &(Fit, Detail)| detail < *least || (detail == *least && fit.scale > known.scale);
-            if best.as_ref().is_none_or(is_better) {
-                best = Some((fit, detail));
-            }
-        }
-        Ok(best.unwrap_or_else(|| sketch::lone_fit(points, options)))
+        let views = self.panels.iter().filter_map(|panel| panel.view);
+        let fits = views.map(|(view, _)| Ok(Picture::survey(view, options, points.clone())?.choose(options)));
+        Ok(common_fit(fits.collect::<Result<_, FigureError>>()?).unwrap_or_else(|| sketch::lone_fit(points, options)))
     }
+}
+
+/// The fit of the picture with the least detail, and among these the largest one.
+pub(in crate::figure) fn common_fit(fits: Vec<(Fit, Detail)>) -> Option<(Fit, Detail)> {
+    fits.into_iter().min_by(|(fit, detail), (other, least)| detail.cmp(least).then(other.scale.total_cmp(&fit.scale)))
 }
 
 /// A thin line round a panel.

@@ -11,8 +11,7 @@
 use super::glyph::Glyph;
 use crate::figure::FigureOptions;
 use crate::figure::canvas::number::drawn;
-use crate::figure::canvas::style::{Colour, Palette};
-use std::fmt::Write;
+use crate::figure::canvas::style::{Colour, Palette, rule};
 
 crate::named! {
     /// What a thing is for.
@@ -124,9 +123,7 @@ impl Role {
 pub(super) fn css(options: &FigureOptions, roles: &[Role]) -> String {
     let scope = options.prefix();
     let mut out = options.css();
-    let mut fixed = |selector: &str, properties: &str| {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
-    };
+    let mut fixed = |selector: &str, properties: &str| rule(&mut out, &scope, selector, properties);
     let halo = "paint-order:stroke;stroke-linejoin:round";
     fixed(".ln", "fill:none;stroke-linejoin:round");
     fixed(".ol", "fill:none;stroke-width:1.2;stroke-linejoin:round");
@@ -157,9 +154,7 @@ pub(super) fn css(options: &FigureOptions, roles: &[Role]) -> String {
 }
 
 fn colours(out: &mut String, scope: &str, palette: &Palette, roles: &[Role]) {
-    let mut rule = |selector: &str, properties: String| {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
-    };
+    let mut rule = |selector: &str, properties: String| rule(out, scope, selector, &properties);
     let Palette { background, ink, dim, grey, tint_opacity, .. } = palette;
     // Over the tints of a structure, areas are paler: lines must be seen on both together.
     rule(".fi", format!("fill-opacity:{}", drawn(*tint_opacity)));

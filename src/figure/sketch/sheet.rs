@@ -13,7 +13,7 @@ use super::many::Many;
 use super::{Role, Sketch, SketchError, places, role};
 use crate::figure::canvas::crop::{self, window};
 use crate::figure::canvas::number;
-use crate::figure::canvas::scene::{Group, Hatch, Node, Scene};
+use crate::figure::canvas::scene::{Group, Node, Scene};
 use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::layout::crowd::{Crowd, INK, Shape};
 use crate::figure::layout::fit::{Extent, Fit, Load, choose};
@@ -21,7 +21,7 @@ use crate::figure::layout::grid::SHEET;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
-use crate::figure::structure::picture::{MARGIN, Picture, check_coordinate};
+use crate::figure::structure::picture::{MARGIN, Picture, check_point};
 use crate::figure::structure::plate::Plate;
 use crate::figure::{Detail, Figure, FigureOptions};
 use crate::plane::{PlanarView, Point};
@@ -93,9 +93,7 @@ fn names(structure: &mut [Node]) -> Vec<Node> {
 pub(in crate::figure) fn check(sketch: &Sketch) -> Result<(), SketchError> {
     for item in &sketch.items {
         for p in item.kind.points() {
-            let checked =
-                [('x', p.x), ('y', p.y)].into_iter().try_for_each(|(axis, value)| check_coordinate(axis, value));
-            checked.map_err(|error| SketchError::Coordinate { item: item.name.clone(), error })?;
+            check_point(p).map_err(|error| SketchError::Coordinate { item: item.name.clone(), error })?;
         }
     }
     Ok(())
@@ -162,46 +160,33 @@ impl<'a> Drawing<'a> {
     /// `first`; before every id stands `instance`.
     pub(in crate::figure) fn nodes(&mut self, crowd: &mut Crowd, size: f64, first: usize, instance: &str) -> Vec<Node> {
         let mut out = Vec::new();
-        let id = |item: &Item, ending: &str| Some(format!("{instance}s-{}{ending}", item.name));
+        let group = |item: &Item, ending: &str, nodes: Vec<Node>| Group {
+            class: "sk",
+            mark: item.role.class(),
+            id: Some(format!("{instance}s-{}{ending}", item.name)),
+            nodes,
+            ..Group::default()
+        };
+        let titled = |item: &Item| Some(item.words().to_owned());
         for (wanted, bulk) in std::mem::take(&mut self.bulk).into_iter().enumerate() {
             out.extend(bulk.nodes(instance));
             for (item, drawn) in self.sketch.items.iter().zip(&mut self.drawn) {
                 if let Some(drawn) = drawn.as_mut().filter(|_| layer(&item.kind) == wanted) {
-                    out.push(Node::Group(Group {
-                        class: "sk",
-                        mark: item.role.class(),
-                        id: id(item, ""),
-                        title: Some(item.words().to_owned()),
-                        nodes: std::mem::take(&mut drawn.nodes),
-                        ..Group::default()
-                    }));
+                    let nodes = std::mem::take(&mut drawn.nodes);
+                    out.push(Node::Group(Group { title: titled(item), ..group(item, "", nodes) }));
                 }
             }
         }
         let mut homeless = Vec::new();
-        let mut badge = first;
-        let mut numbered = Vec::new();
-        for (item, drawn) in self.sketch.items.iter().zip(&self.drawn) {
-            if matches!(item.kind, Kind::Badge(_)) {
-                numbered.push((item, drawn, badge));
-                badge += 1;
-            }
-        }
-        for (item, drawn, number) in numbered {
+        let badges = self.sketch.items.iter().zip(&self.drawn).filter(|(item, _)| matches!(item.kind, Kind::Badge(_)));
+        for ((item, drawn), number) in badges.zip(first..) {
             let Some(drawn) = drawn else { continue };
             let Some(nodes) = places::badge(number, &drawn.anchors, &self.frame, crowd) else {
                 homeless.push(item.name.clone());
                 continue;
             };
-            out.push(Node::Group(Group {
-                class: "sk",
-                mark: item.role.class(),
-                id: id(item, ""),
-                attributes: vec![("data-badge", number.to_string())],
-                title: Some(item.words().to_owned()),
-                nodes,
-                ..Group::default()
-            }));
+            let attributes = vec![("data-badge", number.to_string())];
+            out.push(Node::Group(Group { attributes, title: titled(item), ..group(item, "", nodes) }));
         }
         for words in self.words() {
             let (item, drawn, label) = words;
@@ -209,9 +194,7 @@ impl<'a> Drawing<'a> {
                 None => homeless.push(item.name.clone()),
                 Some(nodes) => {
                     let ending = if matches!(item.kind, Kind::Text(_)) { "" } else { "-label" };
-                    let group =
-                        Group { class: "sk", mark: item.role.class(), id: id(item, ending), nodes, ..Group::default() };
-                    out.push(Node::Group(group));
+                    out.push(Node::Group(group(item, ending, nodes)));
                 }
             }
         }
@@ -239,29 +222,11 @@ pub(in crate::figure) fn scene(
     nodes: Vec<Node>,
     legend: &[Entry],
 ) -> Scene {
-    let step = options.style.hatch_step;
     let (size, scale) = canvas;
     let words: Vec<&str> = legend.iter().map(Entry::words).collect();
     let about = if words.is_empty() { options.title.clone() } else { format!("{}.", words.join("; ")) };
-    let mut scene = Scene {
-        size,
-        unit: options.unit,
-        plain: options.plain,
-        css: role::css(options, roles),
-        prefix: options.prefix(),
-        title: options.title.clone(),
-        description: options.description.clone().unwrap_or(about),
-        attributes: vec![
-            ("data-figure", kind.to_owned()),
-            ("data-y", "up".to_owned()),
-            ("data-scale", number::model(scale)),
-        ],
-        hatches: vec![
-            Hatch { name: "hatch", step, degrees: 45 },
-            Hatch { name: "hole-hatch", step: 1.6 * step, degrees: -45 },
-        ],
-        nodes,
-    };
+    let mut scene = Scene { css: role::css(options, roles), nodes, ..options.scene(kind, size, about) };
+    scene.attributes.extend([("data-y", "up".to_owned()), ("data-scale", number::model(scale))]);
     add_legend(&mut scene, legend, options.page().min(SHEET));
     scene
 }

@@ -147,6 +147,12 @@ fn quad_to_head(a: Xy, control: Xy, b: Xy, size: f64) -> (Step, [Xy; 4]) {
     (Step::Quad(a + (control - a) * t, end), head(b, along, size))
 }
 
+/// A quadratic with a head of this size at its end.
+fn curved(start: Xy, control: Xy, end: Xy, size: f64) -> Arrow {
+    let (step, head) = quad_to_head(start, control, end, size);
+    Arrow { start, steps: vec![step], heads: vec![head] }
+}
+
 /// From the tip of a half-edge to the tail of the next one. Without a vertex between them (a wrong pointer)
 /// the arrow sweeps through the open.
 pub(crate) fn next(from: &Shaft, to: &Shaft, turn: Option<Turn>) -> Arrow {
@@ -159,8 +165,7 @@ pub(crate) fn next(from: &Shaft, to: &Shaft, turn: Option<Turn>) -> Arrow {
     let wide = sine <= 0.0 && (STRAIGHT..=0.999_999).contains(&cosine);
     if !turn.back && !wide {
         let control = corner_control(from, to, turn, sine, cosine);
-        let (step, head) = quad_to_head(tip, control, tail, size);
-        return Arrow { start: tip, steps: vec![step], heads: vec![head] };
+        return curved(tip, control, tail, size);
     }
     round(from, to, turn, size)
 }
@@ -225,8 +230,7 @@ pub(crate) fn twin(from: &Shaft, to: &Shaft, mutual: bool, t: f64) -> Option<Arr
     }
     let (p, q) = (from.at(t), to.at(t));
     let bow = (q - p).left() * 0.2;
-    let (step, head) = quad_to_head(p, (p + q) * 0.5 + bow, q, HEAD.min(0.6 * (q - p).length()));
-    Some(Arrow { start: p, steps: vec![step], heads: vec![head] })
+    Some(curved(p, (p + q) * 0.5 + bow, q, HEAD.min(0.6 * (q - p).length())))
 }
 
 /// From the disc of a vertex onto the first third of a shaft that should begin there.
@@ -236,8 +240,7 @@ pub(crate) fn outgoing(vertex: Xy, radius: f64, shaft: &Shaft) -> Option<Arrow> 
     let end = shaft.tail + shaft.along * (shaft.length() / 3.0).min(34.0) + aside * 0.8;
     let control = end - shaft.along * (0.55 * (end - vertex).length()).min(20.0) + aside * rise;
     let start = vertex + (control - vertex).unit()? * (radius + 1.0);
-    let (step, head) = quad_to_head(start, control, end, HEAD.min(0.5 * (end - start).length()));
-    Some(Arrow { start, steps: vec![step], heads: vec![head] })
+    Some(curved(start, control, end, HEAD.min(0.5 * (end - start).length())))
 }
 
 /// From the edge side of a shaft, near its tail, to the disc of the vertex it begins at: the face side belongs
@@ -248,6 +251,5 @@ pub(crate) fn origin(shaft: &Shaft, vertex: Xy, radius: f64) -> Option<Arrow> {
     let back = (start - vertex).dot(shaft.along);
     let control = start - shaft.along * (0.45 * back) - aside * (0.75 * shaft.offset);
     let end = vertex + (control - vertex).unit()? * (radius + 1.5);
-    let (step, head) = quad_to_head(start, control, end, HEAD.min(0.6 * (end - start).length()));
-    Some(Arrow { start, steps: vec![step], heads: vec![head] })
+    Some(curved(start, control, end, HEAD.min(0.6 * (end - start).length())))
 }

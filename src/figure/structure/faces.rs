@@ -13,9 +13,9 @@ use crate::figure::canvas::crop::cut;
 use crate::figure::canvas::scene::Attributes;
 use crate::figure::canvas::vector::{Bounds, Xy};
 use crate::figure::structure::skeleton::{Cycles, Skeleton};
-use crate::ids::{FaceId, HalfEdgeId};
+use crate::ids::{Element, FaceId, HalfEdgeId};
 use crate::plane::PlanarView;
-use crate::topology::{InnerComponent, bounded_cycle};
+use crate::topology::bounded_cycle;
 
 /// A face that can be filled.
 pub(crate) struct Region {
@@ -95,11 +95,7 @@ pub(crate) fn attributes<V: PlanarView + ?Sized>(view: &V, face: FaceId, options
     if let Some(h) = view.half_edge(face) {
         out.push(("data-he", h.to_string()));
     }
-    let rings = view.inner_components(face).iter().map(|ring| match ring {
-        InnerComponent::Cycle(h) => h.to_string(),
-        InnerComponent::Isolated(v) => v.to_string(),
-    });
-    let rings: Vec<String> = rings.collect();
+    let rings: Vec<String> = view.inner_components(face).iter().map(|&ring| Element::from(ring).to_string()).collect();
     if !rings.is_empty() {
         out.push(("data-rings", rings.join(" ")));
     }

@@ -21,7 +21,6 @@ use crate::figure::structure::vertices::{Spokes, name_size};
 use crate::figure::{Detail, FigureOptions};
 use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, VertexId, VertexMap};
 use crate::plane::PlanarView;
-use crate::topology::InnerComponent;
 use std::borrow::Cow;
 
 /// A shaft shorter than this has no label.
@@ -225,10 +224,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let shafts = region.walk(self.view).filter_map(|h| self.shafts.get(h)?.as_ref());
         out.extend(shafts.flat_map(|shaft| shaft.shapes(style)));
         let corners = region.walk(self.view).filter_map(|h| self.view.origin(h));
-        let isolated = self.view.inner_components(region.face).iter().filter_map(|ring| match ring {
-            InnerComponent::Isolated(v) => Some(*v),
-            InnerComponent::Cycle(_) => None,
-        });
+        let isolated = self.view.inner_components(region.face).iter().filter_map(|ring| ring.isolated());
         out.extend(corners.chain(isolated).filter_map(|v| self.disc(v)));
         let bounds = Bounds::of(region.rings.iter().flatten().copied());
         out.extend(bounds.into_iter().flat_map(|bounds| crowd.tagged(&bounds.grown(caption.reach()), INK)));

@@ -42,34 +42,18 @@ const LONGEST: usize = 28;
 /// A face smaller than this, in square px, is no place a line could begin.
 const SMALLEST: f64 = 0.5;
 
-/// The directions in a quadrant, as whole sides of a triangle and its long side.
-const SLOPES: [(f64, f64, f64); 10] = [
-    (1.0, 0.0, 1.0),
-    (24.0, 7.0, 25.0),
-    (12.0, 5.0, 13.0),
-    (15.0, 8.0, 17.0),
-    (4.0, 3.0, 5.0),
-    (3.0, 4.0, 5.0),
-    (8.0, 15.0, 17.0),
-    (5.0, 12.0, 13.0),
-    (7.0, 24.0, 25.0),
-    (0.0, 1.0, 1.0),
-];
+/// The directions in the lower half of a quadrant, as whole sides of a triangle and its long side.
+const SLOPES: [(f64, f64, f64); 5] =
+    [(1.0, 0.0, 1.0), (24.0, 7.0, 25.0), (12.0, 5.0, 13.0), (15.0, 8.0, 17.0), (4.0, 3.0, 5.0)];
 
 /// Further ones, for labels that find no place otherwise.
-const FINER: [(f64, f64, f64); 12] = [
+const FINER: [(f64, f64, f64); 6] = [
     (60.0, 11.0, 61.0),
     (40.0, 9.0, 41.0),
     (63.0, 16.0, 65.0),
     (35.0, 12.0, 37.0),
     (45.0, 28.0, 53.0),
     (21.0, 20.0, 29.0),
-    (20.0, 21.0, 29.0),
-    (28.0, 45.0, 53.0),
-    (12.0, 35.0, 37.0),
-    (16.0, 63.0, 65.0),
-    (9.0, 40.0, 41.0),
-    (11.0, 60.0, 61.0),
 ];
 
 /// Where a label is looked for.
@@ -262,5 +246,10 @@ fn cross((a, b): (Xy, Xy), (p, q): (Xy, Xy)) -> bool {
 /// To the right and left first.
 fn directions(slopes: &[(f64, f64, f64)]) -> impl Iterator<Item = Xy> {
     let quadrants = [(1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-    slopes.iter().flat_map(move |&(x, y, length)| quadrants.map(|(sx, sy)| xy(sx * x / length, sy * y / length)))
+    let upper = slopes.iter().rev().map(|&(x, y, length)| (y, x, length));
+    slopes
+        .iter()
+        .copied()
+        .chain(upper)
+        .flat_map(move |(x, y, length)| quadrants.map(|(sx, sy)| xy(sx * x / length, sy * y / length)))
 }

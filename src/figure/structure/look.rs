@@ -35,33 +35,19 @@ impl Mark {
 }
 
 /// How one drawing of a plate looks.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Look {
     instance: String,
-    pub(crate) data: bool,
     rest: Mark,
     vertices: VertexMap<Option<Mark>>,
     half_edges: HalfEdgeMap<Option<Mark>>,
     faces: FaceMap<Option<Mark>>,
 }
 
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            instance: String::new(),
-            data: true,
-            rest: Mark::Plain,
-            vertices: VertexMap::default(),
-            half_edges: HalfEdgeMap::default(),
-            faces: FaceMap::default(),
-        }
-    }
-}
-
 impl Look {
     /// A drawing among others: ids read `FIG-instance-h5`; elements have neither `data-*` pointers nor tooltips.
     pub(crate) fn instance(name: &str) -> Self {
-        Self { instance: format!("{name}-"), data: false, ..Self::default() }
+        Self { instance: format!("{name}-"), ..Self::default() }
     }
 
     /// The mark of half-edges that have none of their own. Faces are never dimmed with the rest, their tints
@@ -114,12 +100,17 @@ impl Look {
         format!("{}{name}", self.instance)
     }
 
+    /// Whether the drawing stands alone: elements have pointers and tooltips.
+    pub(crate) fn is_alone(&self) -> bool {
+        self.instance.is_empty()
+    }
+
     /// The tooltip of an element.
     pub(crate) fn title(&self, title: String) -> Option<String> {
-        self.data.then_some(title)
+        self.is_alone().then_some(title)
     }
 
     pub(crate) fn attributes(&self, attributes: Attributes) -> Attributes {
-        if self.data { attributes } else { Vec::new() }
+        if self.is_alone() { attributes } else { Vec::new() }
     }
 }

@@ -46,13 +46,8 @@ impl<'a> Part<'a> {
                 return Err(FigureError::UnknownFace { face, faces });
             }
             faces[face] = true;
-            for ring in whole.inner_components(face) {
-                if let InnerComponent::Isolated(v) = ring
-                    && whole.has_vertex(*v)
-                {
-                    kept[*v] = true;
-                }
-            }
+            let isolated = whole.inner_components(face).iter().filter_map(|ring| ring.isolated());
+            isolated.filter(|&v| whole.has_vertex(v)).for_each(|v| kept[v] = true);
         }
         let edges = Self { whole, chosen: Some(Chosen { faces: faces.clone(), vertices: VertexMap::default() }) };
         for h in half_edges(&edges) {

@@ -7,7 +7,7 @@
 //!                                                                  └─ scene        the document
 //! ```
 
-use crate::figure::canvas::scene::{Group, Hatch, Node, Polylines, Scene, tenths};
+use crate::figure::canvas::scene::{Group, Node, Polylines, Scene, tenths};
 use crate::figure::canvas::text::LEGIBLE;
 use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::canvas::{crop, number};
@@ -38,8 +38,7 @@ fn check<V: PlanarView + ?Sized>(view: &V) -> Result<(), FigureError> {
     for vertex in vertices(view) {
         let Some(p) = view.position(vertex) else { continue };
         placed = true;
-        let checked = [('x', p.x), ('y', p.y)].into_iter().try_for_each(|(axis, value)| check_coordinate(axis, value));
-        checked.map_err(|error| FigureError::Coordinate { vertex, error })?;
+        check_point(p).map_err(|error| FigureError::Coordinate { vertex, error })?;
     }
     match vertices(view).next() {
         Some(example) if !placed => Err(FigureError::NoPosition { vertices: vertices(view).count(), example }),
@@ -47,15 +46,16 @@ fn check<V: PlanarView + ?Sized>(view: &V) -> Result<(), FigureError> {
     }
 }
 
-/// Whether a coordinate can be drawn: tiny ones can, other than those that exact predicates refuse.
-pub(crate) fn check_coordinate(axis: char, value: f64) -> Result<(), CoordinateError> {
-    if !value.is_finite() {
-        Err(CoordinateError::NotFinite { axis, value })
-    } else if value.abs() > LARGEST {
-        Err(CoordinateError::OutOfRange { axis, value })
-    } else {
-        Ok(())
+/// Whether a point can be drawn: one with tiny coordinates can, other than those that exact predicates refuse.
+pub(crate) fn check_point(p: Point) -> Result<(), CoordinateError> {
+    for (axis, value) in [('x', p.x), ('y', p.y)] {
+        if !value.is_finite() {
+            return Err(CoordinateError::NotFinite { axis, value });
+        } else if value.abs() > LARGEST {
+            return Err(CoordinateError::OutOfRange { axis, value });
+        }
     }
+    Ok(())
 }
 
 /// The median length of the edges in units of the plane. `span` is the size of the whole, so that squares
@@ -324,7 +324,6 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     /// The document round the nodes.
     pub(crate) fn scene(&self, nodes: Vec<Node>) -> Scene {
         let options = self.options;
-        let step = options.style.hatch_step;
         let (half_edges, faces) = (half_edges(self.view).count(), faces(self.view).count());
         let vertices = vertices(self.view).count();
         let detail = match self.detail {
@@ -342,27 +341,13 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
             "{vertices} vertices, {} edges, {half_edges} half-edges, {faces} faces. {reading}",
             self.skeleton.edges.len()
         );
-        let prefix = options.prefix();
-        let nodes = if options.crop.is_some() { crop::seen(nodes, self.fit.size) } else { nodes };
-        Scene {
-            size: self.fit.size,
-            unit: options.unit,
-            plain: options.plain,
-            css: options.css(),
-            prefix,
-            title: options.title.clone(),
-            description: options.description.clone().unwrap_or(counts),
-            attributes: vec![
-                ("data-figure", "dcel".to_owned()),
-                ("data-y", "up".to_owned()),
-                ("data-scale", number::model(self.fit.scale)),
-                ("data-detail", detail.to_owned()),
-            ],
-            hatches: vec![
-                Hatch { name: "hatch", step, degrees: 45 },
-                Hatch { name: "hole-hatch", step: 1.6 * step, degrees: -45 },
-            ],
-            nodes,
-        }
+        let mut scene = options.scene("dcel", self.fit.size, counts);
+        scene.attributes.extend([
+            ("data-y", "up".to_owned()),
+            ("data-scale", number::model(self.fit.scale)),
+            ("data-detail", detail.to_owned()),
+        ]);
+        scene.nodes = if options.crop.is_some() { crop::seen(nodes, self.fit.size) } else { nodes };
+        scene
     }
 }

@@ -155,7 +155,7 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
             skeleton.segment(h)
         };
         let shown = skeleton.edges.iter().filter_map(segment);
-        let nodes = if look.data {
+        let nodes = if look.is_alone() {
             shown.map(|(from, to)| Node::Line { class: "edge", from, to }).collect()
         } else {
             let mut lines = Polylines::new(false);

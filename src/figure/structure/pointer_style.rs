@@ -7,15 +7,12 @@
 
 use crate::figure::Style;
 use crate::figure::canvas::number::drawn;
-use crate::figure::canvas::style::Palette;
-use std::fmt::Write;
+use crate::figure::canvas::style::{Palette, rule};
 
 /// The rules, to be appended to those of the style. Scoped like those.
 pub(crate) fn css(style: &Style, scope: &str) -> String {
     let mut out = String::new();
-    let mut fixed = |selector: &str, properties: &str| {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
-    };
+    let mut fixed = |selector: &str, properties: &str| rule(&mut out, scope, selector, properties);
     fixed(".pl", "stroke-width:1.7;fill:none");
     fixed(".boundary .pl", "stroke-dasharray:5 2.5");
     fixed(".face-of .pl", "stroke-dasharray:5 2.5");
@@ -40,9 +37,7 @@ pub(crate) fn css(style: &Style, scope: &str) -> String {
 }
 
 fn colours(out: &mut String, scope: &str, palette: &Palette) {
-    let mut rule = |selector: &str, properties: String| {
-        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
-    };
+    let mut rule = |selector: &str, properties: String| rule(out, scope, selector, &properties);
     let Palette { background, ink, half_edge, face, next, twin, origin, dim, grey, hit, .. } = palette;
     // Darker than elsewhere: an edge has to stand out against the strong tint of a face that is marked, too.
     rule(".edge", format!("stroke:{grey}"));

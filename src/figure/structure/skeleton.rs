@@ -7,7 +7,7 @@
 use crate::figure::canvas::vector::{Bounds, Xy};
 use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
 use crate::plane::PlanarView;
-use crate::topology::{InnerComponent, bounded_cycle};
+use crate::topology::bounded_cycle;
 
 /// All existing ids of one kind.
 pub(crate) fn ids<I: Id>(bound: usize, exists: impl Fn(I) -> bool) -> impl Iterator<Item = I> {
@@ -105,10 +105,7 @@ impl Cycles {
         let mut walked = HalfEdgeMap::filled(view.half_edge_bound(), false);
         let mut out = Self { half_edges: Vec::new(), cycles: Vec::new(), open: Vec::new() };
         for face in faces {
-            let rings = view.inner_components(face).iter().filter_map(|ring| match ring {
-                InnerComponent::Cycle(h) => Some(*h),
-                InnerComponent::Isolated(_) => None,
-            });
+            let rings = view.inner_components(face).iter().filter_map(|ring| ring.cycle());
             for start in view.half_edge(face).into_iter().chain(rings) {
                 if !out.walk(view, face, start, &mut walked) && out.open.last() != Some(&face) {
                     out.open.push(face);

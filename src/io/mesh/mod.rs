@@ -47,10 +47,8 @@ const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: fal
 pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
     let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
     let version = header(&mut scanner)?;
-    let word = scanner.need_anywhere(|| "the number of points".to_owned())?;
-    let points = scanner.count(word)?;
-    let word = scanner.need_anywhere(|| "the number of polygons".to_owned())?;
-    let polygons = scanner.count(word)?;
+    let points = scanner.need_count("the number of points")?;
+    let polygons = scanner.need_count("the number of polygons")?;
     let mut soup = SoupBuilder::with_room(points, scanner.remaining(), 4, source)?;
     for i in 0..points {
         let word = scanner.need_anywhere(|| format!("vertex {i} of {points}"))?;

@@ -56,8 +56,7 @@ impl Records for Text<'_> {
 
     #[inline]
     fn coordinate(&mut self, axis: char, _: Kind) -> Result<f64, ReadError> {
-        let word = self.scanner.need(|| format!("the {axis} of a vertex"))?;
-        self.scanner.coordinate(axis, word)
+        self.scanner.need_coordinate(axis, || "a vertex".to_owned())
     }
 
     #[inline]

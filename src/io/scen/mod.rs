@@ -35,9 +35,10 @@ use crate::plane::Point;
 pub use verdict::{Misfits, Verdict};
 
 /// What the last column of a scenario means.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub enum Optimum {
     /// The length of the shortest path.
+    #[default]
     Euclidean,
     /// The cost of the cheapest path from cell to cell; for a mesh an upper bound.
     Octile,

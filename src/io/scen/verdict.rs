@@ -53,7 +53,7 @@ impl Misfits {
 }
 
 /// What the lengths of a file are, and how well they fit. `Display` says it in a line.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Verdict {
     /// What they are, or are nearly.
     pub optimum: Optimum,
@@ -176,15 +176,7 @@ impl Scenario {
 
     /// The verdict with these numbers for √2, and by how much it speaks for octile lengths.
     fn reading(&self, diagonals: &[f64]) -> (Verdict, f64) {
-        let mut verdict = Verdict {
-            optimum: Optimum::Euclidean,
-            stated: 0,
-            not_octile: Misfits::default(),
-            too_short: Misfits::default(),
-            telling: 0,
-            straight_steps: false,
-            diagonal: None,
-        };
+        let mut verdict = Verdict::default();
         let mut for_octile = 0.0;
         let (mut aslant, mut without_diagonal) = (0, 0);
         for query in &self.queries {

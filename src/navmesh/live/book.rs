@@ -337,18 +337,12 @@ impl Book {
     }
 
     fn set_piece(&mut self, e: EdgeId, first: Option<EdgeId>) {
-        let before = match first {
-            Some(first) => self.pieces.insert(e, first),
-            None => self.pieces.remove(&e),
-        };
+        let before = put(&mut self.pieces, e, first);
         self.before.push(Before::Piece(e, before));
     }
 
     fn set_area(&mut self, f: FaceId, area: Option<u32>) {
-        let before = match area {
-            Some(area) => self.areas.insert(f, area),
-            None => self.areas.remove(&f),
-        };
+        let before = put(&mut self.areas, f, area);
         self.before.push(Before::Area(f, before));
     }
 
@@ -412,5 +406,13 @@ impl Book {
             self.covers.insert(f, owners);
         }
         self.before.push(Before::Covers(f, before));
+    }
+}
+
+/// Sets or takes out a value. Returns the one before.
+fn put<K: Ord, V>(map: &mut BTreeMap<K, V>, key: K, value: Option<V>) -> Option<V> {
+    match value {
+        Some(value) => map.insert(key, value),
+        None => map.remove(&key),
     }
 }

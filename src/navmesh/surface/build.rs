@@ -17,9 +17,10 @@ use super::boxes::Boxes;
 use super::layers::plan;
 use super::place::LEVEL;
 use super::{NONE, NavSurface, SideRecord, Space, cross, dot, minus, next, norm, prev};
+use crate::geometry::space::check_place;
 use crate::ids::FaceId;
 use crate::plane::predicates::orientation;
-use crate::plane::{CoordinateError, Point, Subdivision, TriangulationMethod, check_coordinate};
+use crate::plane::{CoordinateError, Point, Subdivision, TriangulationMethod};
 use crate::topology::PolygonList;
 use std::cmp::Ordering;
 
@@ -135,9 +136,7 @@ impl NavSurface {
     /// ```
     pub fn new(points: &[[f64; 3]], faces: &PolygonList, max_slope: Option<f64>) -> Result<Self, SurfaceError> {
         for (vertex, point) in (0..).zip(points) {
-            for (axis, &x) in ['x', 'y', 'z'].into_iter().zip(point) {
-                check_coordinate(axis, x).map_err(|error| SurfaceError::Coordinate { vertex, error })?;
-            }
+            check_place(*point).map_err(|error| SurfaceError::Coordinate { vertex, error })?;
         }
         let (mut corners, mut polygon, mut starts) = (Vec::new(), Vec::new(), vec![0]);
         for face in 0..faces.face_count() as u32 {

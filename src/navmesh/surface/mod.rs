@@ -66,9 +66,11 @@ pub use route::{SurfaceField, SurfaceRoute, SurfaceRouteError};
 pub use search::SurfacePlanner;
 
 use super::marks::NONE;
-use crate::geometry::space::{cross, dot, length as norm, minus};
+use crate::geometry::interval::range;
+use crate::geometry::space::{between, cross, dot, length as norm, minus};
 use crate::ids::{FaceId, VertexId};
 use boxes::Boxes;
+use std::ops::Range;
 
 /// A point in space; the third coordinate is the height.
 pub(super) type Space = [f64; 3];
@@ -163,25 +165,26 @@ impl NavSurface {
         self.polygon.len()
     }
 
+    /// The sides of the triangles that a face was cut into, three for each.
+    fn sides_of(&self, f: FaceId) -> Range<usize> {
+        let polygon = f.index().checked_sub(1).filter(|&p| p < self.layer.len());
+        polygon.map_or(0..0, |p| 3 * self.starts[p] as usize..3 * self.starts[p + 1] as usize)
+    }
+
     /// The triangles that a face was cut into, by their corners.
     pub fn triangles(&self, f: FaceId) -> impl Iterator<Item = [Space; 3]> + '_ {
-        let range = f.index().checked_sub(1).filter(|&p| p < self.layer.len());
-        let range = range.map_or(0..0, |p| self.starts[p] as usize..self.starts[p + 1] as usize);
-        range.map(|t| self.corners(t))
+        self.sides_of(f).step_by(3).map(|s| self.corners(s / 3))
     }
 
     /// The vertices of a face and where they are; those of its cuts more than once.
     pub fn vertices(&self, f: FaceId) -> impl Iterator<Item = (VertexId, Space)> + '_ {
-        let range = f.index().checked_sub(1).filter(|&p| p < self.layer.len());
-        let range = range.map_or(0..0, |p| 3 * self.starts[p] as usize..3 * self.starts[p + 1] as usize);
-        range.map(|s| self.sides[s].origin as usize).map(|node| (VertexId::new(self.vertices[node]), self.points[node]))
+        let nodes = self.sides_of(f).map(|s| self.sides[s].origin as usize);
+        nodes.map(|node| (VertexId::new(self.vertices[node]), self.points[node]))
     }
 
     /// The sides of a face that are no cuts, from point to point, and the face beyond each; none if it is a border.
     pub fn outline(&self, f: FaceId) -> impl Iterator<Item = ([Space; 2], Option<FaceId>)> + '_ {
-        let range = f.index().checked_sub(1).filter(|&p| p < self.layer.len());
-        let range = range.map_or(0..0, |p| 3 * self.starts[p] as usize..3 * self.starts[p + 1] as usize);
-        range.filter_map(move |s| {
+        self.sides_of(f).filter_map(move |s| {
             let twin = Some(self.sides[s].twin).filter(|&twin| twin != NONE);
             let beyond = twin.map(|twin| self.face_of(twin as usize / 3));
             (beyond != Some(f)).then(|| (self.ends(s), beyond))
@@ -191,8 +194,7 @@ impl NavSurface {
     /// The lowest and the greatest height.
     #[must_use]
     pub fn heights(&self) -> [f64; 2] {
-        let used = self.sides.iter().map(|side| self.points[side.origin as usize][2]);
-        used.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
+        range(self.sides.iter().map(|side| self.points[side.origin as usize][2]))
     }
 
     /// The steepest slope, in degrees, and a face that has it.
@@ -276,10 +278,6 @@ fn prev(s: usize) -> usize {
 
 /// The distance of two points in space.
 #[inline]
-fn between(a: Space, b: Space) -> f64 {
-    norm(minus(a, b))
-}
-
 /// The point at the fraction `t` of the path from `a` to `b`.
 fn lerp(a: Space, b: Space, t: f64) -> Space {
     [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)

@@ -8,7 +8,7 @@
 
 use super::super::nearest::closest_on;
 use super::layers::plan;
-use super::{NONE, NavSurface, Space, between, lerp, next};
+use super::{NONE, NavSurface, Space, lerp, next};
 use crate::ids::FaceId;
 use crate::plane::Point;
 use crate::plane::predicates::{orientation, twice_area};
@@ -298,12 +298,6 @@ impl NavSurface {
                 self.sides[s].origin == node || self.sides[next(s)].origin == node
             }
         }
-    }
-
-    /// How far two places are from each other as the crow flies.
-    #[must_use]
-    pub fn straight_distance(a: &SurfacePoint, b: &SurfacePoint) -> f64 {
-        between(a.point, b.point)
     }
 }
 

@@ -8,7 +8,7 @@
 //! From triangle to triangle over the sides they share, so it goes up a ramp and stays on its storey. Which side it
 //! leaves a triangle by is decided by exact signs on the plan; points on the way are rounded.
 
-use super::super::raycast::Line;
+use super::super::raycast::{Line, enter};
 use super::layers::plan;
 use super::place::Spot;
 use super::{NONE, NavSurface, Space, SurfacePoint, between, lerp, next, prev};
@@ -106,11 +106,11 @@ impl NavSurface {
         loop {
             onwards = match onwards {
                 Onwards::Into(t) => {
-                    cast.enter(self.face_of(t));
+                    enter(&mut cast.faces, self.face_of(t));
                     self.cross(&line, t, &mut cast)
                 }
                 Onwards::Corner(s) => {
-                    cast.enter(self.face_of(s / 3));
+                    enter(&mut cast.faces, self.face_of(s / 3));
                     cast.go_to(self.ends(s)[0], self.layer_of(s / 3));
                     self.leave_corner(&line, s)
                 }
@@ -119,12 +119,12 @@ impl NavSurface {
                     let side = [s, next(s)].map(|s| VertexId::new(self.vertices[node(s)]));
                     let point = cast.points.last().copied().unwrap_or(start.point);
                     let face = self.face_of(s / 3);
-                    cast.enter(face);
+                    enter(&mut cast.faces, face);
                     cast.hit = Some(SurfaceRayHit { face, side, vertex: at_corner.then_some(side[0]), point });
                     return Ok(cast);
                 }
                 Onwards::End(t) => {
-                    cast.enter(self.face_of(t));
+                    enter(&mut cast.faces, self.face_of(t));
                     if let Some(place) = self.place_in(t, line.to) {
                         cast.go_to(place.point, place.layer);
                     }
@@ -222,12 +222,6 @@ impl NavSurface {
 }
 
 impl SurfaceRaycast {
-    fn enter(&mut self, face: FaceId) {
-        if self.faces.last() != Some(&face) {
-            self.faces.push(face);
-        }
-    }
-
     fn go_to(&mut self, p: Space, layer: usize) {
         let last = self.points[self.points.len() - 1];
         let length = between(last, p);

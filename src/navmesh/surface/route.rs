@@ -1,6 +1,7 @@
 //! What is found: routes, and fields of distances.
 
 use super::super::Work;
+use super::NavSurface;
 use crate::ids::{FaceId, VertexId, VertexMap};
 
 /// A path along a surface.
@@ -50,6 +51,16 @@ pub struct SurfaceField {
 }
 
 impl SurfaceField {
+    /// The least of the lengths at the nodes of each vertex.
+    pub(super) fn over(surface: &NavSurface, work: Work, length: impl Fn(usize) -> f64) -> Self {
+        let bound = surface.vertices.iter().max().map_or(0, |&v| v as usize + 1);
+        let mut lengths = vec![f64::INFINITY; bound];
+        for (node, &v) in surface.vertices.iter().enumerate() {
+            lengths[v as usize] = lengths[v as usize].min(length(node));
+        }
+        Self { lengths: lengths.into(), work }
+    }
+
     /// The length of the shortest path to `v`, along the surface; `None` if there is no vertex, no path, or none within
     /// the limit.
     #[must_use]

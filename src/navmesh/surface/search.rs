@@ -233,15 +233,10 @@ impl SurfacePlanner {
         let mut aim = Aim { goal: None, limit };
         self.leave(surface, start, &surface.triangles_at(start), &mut aim);
         self.spread(surface, &mut aim);
-        let bound = surface.vertices.iter().max().map_or(0, |&v| v as usize + 1);
-        let mut lengths = vec![f64::INFINITY; bound];
-        for (node, &v) in surface.vertices.iter().enumerate() {
+        SurfaceField::over(surface, self.work, |node| {
             let length = self.length(node as u32);
-            if length <= limit {
-                lengths[v as usize] = lengths[v as usize].min(length);
-            }
-        }
-        SurfaceField { lengths: lengths.into(), work: self.work }
+            if length <= limit { length } else { f64::INFINITY }
+        })
     }
 
     fn begin(&mut self, surface: &NavSurface) {

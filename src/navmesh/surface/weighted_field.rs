@@ -55,11 +55,6 @@ impl SurfacePlanner {
             links.iter().map(|link| ([stand(&link.from), stand(&link.to)], link.cost)).collect();
         ends.into_iter().for_each(|(ends, cost)| cells.jump(ends, cost));
         let (least, work) = cells.spread(first, limit);
-        let bound = surface.vertices.iter().max().map_or(0, |&v| v as usize + 1);
-        let mut lengths = vec![f64::INFINITY; bound];
-        for (&v, &cost) in surface.vertices.iter().zip(&least) {
-            lengths[v as usize] = lengths[v as usize].min(cost);
-        }
-        Ok(SurfaceField { lengths: lengths.into(), work })
+        Ok(SurfaceField::over(surface, work, |node| least[node]))
     }
 }

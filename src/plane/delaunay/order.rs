@@ -11,6 +11,7 @@
 //! Source: Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987 (cuts in
 //! turn); Morton, *A computer oriented geodetic data base*, 1966 (the order).
 
+use crate::geometry::point::corners;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 use std::cmp::Ordering;
@@ -88,19 +89,15 @@ pub(super) fn ordered(points: &[Point]) -> Ordered {
 
 /// The points with their keys: `half` bits for the column and as many for the row.
 fn keyed(points: &[Point], half: u32) -> Vec<Site> {
-    let bounds = |coordinate: fn(&Point) -> f64| {
-        let ends = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
-        points.iter().map(coordinate).fold((f64::INFINITY, f64::NEG_INFINITY), ends)
-    };
+    let [low, high] = corners(points.iter().copied());
     let cells = f64::from(1_u32 << half);
     // Every step is monotone, so that a greater coordinate never gets a smaller cell.
-    let cell = |x: f64, (low, high): (f64, f64)| {
+    let cell = |x: f64, low: f64, high: f64| {
         let share = if high > low { (x - low) / (high - low) } else { 0.0 };
         ((share * cells) as u32).min((1 << half) - 1)
     };
-    let (across, up) = (bounds(|p| p.x), bounds(|p| p.y));
     let site = |(index, &point): (usize, &Point)| {
-        let key = spread(cell(point.x, across)) << 1 | spread(cell(point.y, up));
+        let key = spread(cell(point.x, low.x, high.x)) << 1 | spread(cell(point.y, low.y, high.y));
         Site { point, key, index: index as u32 }
     };
     points.iter().enumerate().map(site).collect()

@@ -219,10 +219,7 @@ impl Subdivision {
         let mut found: Vec<usize> = indices.into_iter().flatten().collect();
         found.sort_unstable();
         if let (Some(&kept), [false, false]) = (found.first(), on_boundary) {
-            let cycle = found.iter().find_map(|&i| match rings[i] {
-                InnerComponent::Cycle(h) => Some(h),
-                InnerComponent::Isolated(_) => None,
-            });
+            let cycle = found.iter().find_map(|&i| rings[i].cycle());
             rings[kept] = InnerComponent::Cycle(cycle.unwrap_or(a));
             found.remove(0);
         }

@@ -211,11 +211,10 @@ impl Subdivision {
         own.sort_unstable();
         let first = self.dcel.half_edge(face).filter(|_| face == self.outer_face()).map(InnerComponent::Cycle);
         for ring in first.into_iter().chain(self.inner_components(face).iter().copied()) {
-            let inner = match ring {
-                InnerComponent::Cycle(h) if own.binary_search(&h).is_ok() => continue,
-                InnerComponent::Cycle(h) => self.dcel.origin(h),
-                InnerComponent::Isolated(v) => v,
-            };
+            if ring.cycle().is_some_and(|h| own.binary_search(&h).is_ok()) {
+                continue;
+            }
+            let inner = self.inner_component_vertex(ring);
             if surrounds(cycle.clone(), self.points[inner]) != outer {
                 return Err(SetPointError::LeavesFace { vertex, point, inner, face });
             }

@@ -12,6 +12,7 @@
 
 use super::scan;
 use crate::geometry::grouping::Groups;
+use crate::geometry::interval::range;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::topology::NoObserver;
@@ -43,8 +44,7 @@ struct Strips {
 impl Strips {
     /// So many of them; none if points lie too near each other for that.
     fn new(points: impl Iterator<Item = Point>, count: usize) -> Option<Self> {
-        let ends = |(low, high): (f64, f64), p: Point| (low.min(p.x), high.max(p.x));
-        let (left, right) = points.fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+        let [left, right] = range(points.map(|p| p.x));
         let scale = count as f64 / (right - left);
         scale.is_finite().then_some(Self { left, scale, count })
     }

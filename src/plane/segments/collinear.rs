@@ -246,6 +246,7 @@ fn turn([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Ordering {
 mod tests {
     use super::*;
     use crate::geometry::predicates::left_to_right;
+    use crate::geometry::random::xorshift;
     use crate::plane::segments::graph::{Distinct, Single};
 
     fn graph(segments: &[[(i64, i64); 2]]) -> Graph {
@@ -275,13 +276,8 @@ mod tests {
     fn edges_are_cut_where_those_that_overlap_them_end_and_nowhere_else() {
         let mut cut = 0;
         for seed in 1..600_u64 {
-            let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-            let mut next = |below: u64| {
-                state ^= state << 13;
-                state ^= state >> 7;
-                state ^= state << 17;
-                ((state >> 20) % below) as i64
-            };
+            let mut random = xorshift(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let mut next = |below: u64| ((random() >> 20) % below) as i64;
             let size = 3 + next(4) as u64;
             let mut end = || (next(size), next(size));
             let list: Vec<_> = (0..14).map(|_| [end(), end()]).filter(|[a, b]| a != b).collect();
@@ -323,13 +319,8 @@ mod tests {
 
     #[test]
     fn rounded_slopes_hide_no_overlap() {
-        let mut state = 77_u64;
-        let mut next = |below: i64| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            (state >> 20) as i64 % below
-        };
+        let mut random = xorshift(77);
+        let mut next = |below: i64| (random() >> 20) as i64 % below;
         let mut cut = 0;
         for round in 0..3000 {
             // Whole numbers, so that edges of one line are on it exactly; their slopes and crossings are rounded.

@@ -154,16 +154,12 @@ pub(super) fn same_places(given: &[Point], number: &[u32], limit: usize) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::random::xorshift;
 
     #[test]
     fn repeated_edges_are_those_of_all_pairs_also_at_a_vertex_of_many() {
-        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-        let mut next = |below: u64| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            ((state >> 20) % below) as u32
-        };
+        let mut random = xorshift(0x9e37_79b9_7f4a_7c15);
+        let mut next = |below: u64| ((random() >> 20) % below) as u32;
         for vertices in [2, 5, 30] {
             // Every second edge is one of vertex 0.
             let ends = (0..60_u64).map(|i| (if i % 2 == 0 { 0 } else { next(vertices) }, next(vertices)));

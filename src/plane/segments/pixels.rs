@@ -139,6 +139,7 @@ fn passes(grid: Grid, middle: Point, a: Point, b: Point) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::random::xorshift;
 
     /// Whether the segment has a point in the half-open unit square round whole numbers (i, j), in fractions: the
     /// parts of the segment between the sides, as intervals with open and closed ends.
@@ -199,13 +200,8 @@ mod tests {
     #[test]
     fn the_tree_finds_what_a_look_at_each_pixel_finds_in_the_order_of_the_segment() {
         let grid = Grid::of(1.0).unwrap();
-        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-        let mut next = |below: u64| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            ((state >> 20) % below) as f64
-        };
+        let mut random = xorshift(0x9e37_79b9_7f4a_7c15);
+        let mut next = |below: u64| ((random() >> 20) % below) as f64;
         let mut hits = 0;
         for count in [0, 1, 7, 60, 400] {
             let mut middles: Vec<Point> = (0..count).map(|_| Point::new(next(40) - 20.0, next(40) - 20.0)).collect();

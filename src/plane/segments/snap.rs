@@ -21,10 +21,10 @@
 use super::chains::{Snapped, Split};
 use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
+use crate::geometry::grouping::Joined;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::meet::{EventPlace, Grid, visit_intersections};
-use crate::topology::find;
 use std::ops::ControlFlow;
 
 /// So often parts are added one after another; then all are rounded.
@@ -66,20 +66,19 @@ pub(super) fn snap(graph: &mut Graph, plain: &Plain<'_>, grid: Option<Grid>) -> 
 
 /// The connected parts of a graph, and which of them are to be rounded.
 struct Parts {
-    leader: Vec<u32>,
-    /// By leader.
+    joined: Joined,
+    /// By root.
     chosen: Vec<bool>,
     all: bool,
 }
 
 impl Parts {
     fn new(graph: &Graph) -> Self {
-        let mut leader: Vec<u32> = (0..graph.points.len() as u32).collect();
+        let mut joined = Joined::none(graph.points.len());
         for &[a, b] in &graph.edges {
-            let (a, b) = (find(&mut leader, a), find(&mut leader, b));
-            leader[a.max(b) as usize] = a.min(b);
+            joined.join(a, b);
         }
-        Self { chosen: vec![false; leader.len()], leader, all: false }
+        Self { chosen: vec![false; graph.points.len()], joined, all: false }
     }
 
     fn choose_all(&mut self) {
@@ -90,14 +89,14 @@ impl Parts {
     fn choose(&mut self, points: Vec<u32>) {
         let mut news = false;
         for p in points {
-            let leader = find(&mut self.leader, p) as usize;
-            news |= !std::mem::replace(&mut self.chosen[leader], true);
+            let root = self.joined.root(p) as usize;
+            news |= !std::mem::replace(&mut self.chosen[root], true);
         }
         self.all |= !news;
     }
 
     fn is_chosen(&mut self, p: u32) -> bool {
-        self.all || self.chosen[find(&mut self.leader, p) as usize]
+        self.all || self.chosen[self.joined.root(p) as usize]
     }
 }
 

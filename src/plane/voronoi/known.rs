@@ -130,6 +130,7 @@ impl Voronoi<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::random::xorshift;
 
     /// What is put together is, to the last number, what the arrangement of all edges gives; where rounding spoils the
     /// cells, nothing is put together.
@@ -137,13 +138,8 @@ mod tests {
     fn known_cells_are_those_of_the_arrangement() {
         let (mut known, mut unknown) = ([0; 6], [0; 6]);
         for seed in 1..4_000_u64 {
-            let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-            let mut next = |below: u64| {
-                state ^= state << 13;
-                state ^= state >> 7;
-                state ^= state << 17;
-                ((state >> 20) % below) as f64
-            };
+            let mut random = xorshift(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let mut next = |below: u64| ((random() >> 20) % below) as f64;
             let kind = seed as usize % 6;
             let near = f64::EPSILON * [2.0, 8.0, 32.0, 512.0][next(4) as usize];
             let count = 1 + next(if seed % 70 == 0 { 300 } else { 12 }) as usize;

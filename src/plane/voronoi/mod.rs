@@ -153,12 +153,8 @@ impl Subdivision {
         }) {
             return Err(VoronoiError::NotTriangle { face });
         }
-        if !single && !self.inner_components(self.outer_face()).is_empty() {
-            let vertex = match self.inner_components(self.outer_face())[0] {
-                crate::topology::InnerComponent::Cycle(h) => self.dcel.origin(h),
-                crate::topology::InnerComponent::Isolated(v) => v,
-            };
-            return Err(VoronoiError::NotConvex { vertex });
+        if let Some(&ring) = self.inner_components(self.outer_face()).first().filter(|_| !single) {
+            return Err(VoronoiError::NotConvex { vertex: self.inner_component_vertex(ring) });
         }
         let inwards = |&h: &HalfEdgeId| {
             let [u, v, w] = [self.dcel.prev(h), h, self.dcel.next(h)].map(|h| self.points[self.dcel.origin(h)]);

@@ -10,6 +10,7 @@
 //! ```
 
 use super::{Voronoi, VoronoiEdge, VoronoiError};
+use crate::geometry::point::corners;
 use crate::plane::Point;
 
 /// A rectangle with sides along the axes.
@@ -31,16 +32,12 @@ impl Window {
     /// ```
     #[must_use]
     pub fn around(points: &[Point]) -> Self {
-        let bounds = |coordinate: fn(&Point) -> f64| {
-            let ends = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
-            points.iter().map(coordinate).fold((f64::INFINITY, f64::NEG_INFINITY), ends)
-        };
-        let ([left, right], [bottom, top]) = (bounds(|p| p.x).into(), bounds(|p| p.y).into());
-        let furthest = [left, right, bottom, top].into_iter().map(f64::abs).fold(0.0, f64::max);
+        let [low, high] = corners(points.iter().copied());
+        let furthest = [low.x, high.x, low.y, high.y].into_iter().map(f64::abs).fold(0.0, f64::max);
         // Far from 0 a share of the side may be less than the distance of two doubles there.
-        let margin = (0.25 * (right - left).max(top - bottom)).max(furthest * 2f64.powi(-40));
+        let margin = (0.25 * (high.x - low.x).max(high.y - low.y)).max(furthest * 2f64.powi(-40));
         let margin = if margin > 0.0 { margin } else { 1.0 };
-        Self { low: Point::new(left - margin, bottom - margin), high: Point::new(right + margin, top + margin) }
+        Self { low: Point::new(low.x - margin, low.y - margin), high: Point::new(high.x + margin, high.y + margin) }
     }
 
     /// Whether the point lies strictly inside.

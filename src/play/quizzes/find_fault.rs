@@ -6,7 +6,7 @@
 use super::Verdict;
 use super::structures::random;
 use crate::ids::Element;
-use crate::play::broken::{POINTERS, get, message, set};
+use crate::play::broken::{POINTERS, faults, get, set};
 use crate::play::dice::Dice;
 use crate::play::reply::Message;
 use crate::play::tables::find;
@@ -65,7 +65,7 @@ impl FindFault {
 
     /// What is broken.
     pub(super) fn all_faults(&self) -> Vec<Message> {
-        violations(&self.table).iter().map(message).collect()
+        faults(&self.table)
     }
 
     /// A pointer is the right answer if it alone, led elsewhere, mends everything.

@@ -5,10 +5,10 @@ use crate::edits::{Argument, Call, Kind, Row, Takes, find};
 use crate::ids::Element;
 use crate::plane::Subdivision;
 use crate::play::edits::Done;
+use crate::play::points;
 use crate::play::reply::{Message, Reply, Tone};
 use crate::play::scene::Scene;
-use crate::play::{points, tables};
-use crate::topology::Dcel;
+use crate::topology::{Dcel, has};
 
 impl Session {
     pub(super) fn may_edit(&self) -> Result<(), String> {
@@ -117,9 +117,9 @@ impl Session {
     pub(super) fn edited(&mut self, done: Done, count: usize) -> (Changed, Reply) {
         self.waiting = None;
         let table = self.scene.table();
-        let first = done.elements.iter().copied().find(|&element| tables::exists(&table, element));
+        let first = done.elements.iter().copied().find(|&element| has(&table, element));
         let is_new = |element: &Element| matches!(element, Element::HalfEdge(_));
-        let half_edge = done.elements.iter().copied().find(|e| is_new(e) && tables::exists(&table, *e));
+        let half_edge = done.elements.iter().copied().find(|e| is_new(e) && has(&table, *e));
         self.chosen = half_edge.or(first).into_iter().collect();
         let message = Some(Message::new(Tone::Done, done.text));
         let mut reply = Reply { message, ..Reply::default() };

@@ -5,7 +5,8 @@ use crate::edits::{Argument, Call, rows};
 use crate::ids::{Element, VertexId};
 use crate::play::reply::{Message, Reply, Tone};
 use crate::play::scene::Scene;
-use crate::play::{tables, walk};
+use crate::play::walk;
+use crate::topology::has;
 
 impl Session {
     pub(super) fn under(&self, x: f64, y: f64, reach: f64) -> Option<Element> {
@@ -79,7 +80,7 @@ impl Session {
         let known = walk::link(link).ok_or_else(|| format!("`{link}` is no link"))?;
         let table = self.table();
         let to = walk::step(&table, from, known);
-        let Some(to) = to.filter(|&to| tables::exists(&table, to)) else {
+        let Some(to) = to.filter(|&to| has(&table, to)) else {
             return Err(format!("{from}.{link} leads nowhere"));
         };
         // While an edit waits for a second element, the first one stays.

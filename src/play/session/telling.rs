@@ -8,7 +8,7 @@ use crate::play::canvas::Over;
 use crate::play::reply::{Message, Reply, Selected, Status, Tone};
 use crate::play::scene::{Scene, draw_kernel};
 use crate::play::tables;
-use crate::topology::{Table, measure};
+use crate::topology::{Table, has, measure};
 use std::collections::BTreeSet;
 
 impl Session {
@@ -131,7 +131,7 @@ impl Session {
     pub(super) fn select(&self, reply: &mut Reply) {
         let table = self.table();
         let mut selected = match self.chosen.last() {
-            Some(&last) if tables::exists(&table, last) => tables::describe(&table, last),
+            Some(&last) if has(&table, last) => tables::describe(&table, last),
             _ => Selected::default(),
         };
         selected.ids = self.chosen.iter().map(ToString::to_string).collect();

@@ -27,7 +27,7 @@ impl Polyhedron {
     }
 
     /// Gives each border cycle that was changed one boundary face. `starts` are the border half-edges whose `prev`
-    /// or whose face is new; `touched` are the boundary faces that half-edges have lost. Boundary faces without a
+    /// or whose face is new, those that are still there; `touched` are the boundary faces that half-edges have lost. Boundary faces without a
     /// cycle are removed.
     ///
     /// Cost: O(k log k) for k starts, and k times the second longest arc.
@@ -37,6 +37,7 @@ impl Polyhedron {
         mut touched: Vec<FaceId>,
         rec: &mut impl SurfaceRecorder,
     ) {
+        starts.retain(|&h| self.dcel.has_half_edge(h));
         starts.sort_unstable();
         starts.dedup();
         let label = |this: &Self, h| this.dcel.linked_face(h).filter(|f| this.boundary_faces.contains(f));

@@ -85,7 +85,6 @@ impl Polyhedron {
                 self.dcel.set_outgoing(self.dcel.origin(h), Some(h), rec);
             }
         }
-        starts.retain(|&h| self.dcel.has_half_edge(h));
         self.renew_borders(starts, touched, rec);
         self.dcel.remove_face_record(f, rec);
     }

@@ -8,10 +8,11 @@
 //!      ●───────●              ●───────●
 //! ```
 
+use crate::geometry::space::check_place;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::{CoordinateError, check_coordinate};
+use crate::plane::CoordinateError;
 use crate::solid::Polyhedron;
-use crate::solid::surface_journal::{SurfaceChange, SurfaceRecorder};
+use crate::solid::surface_journal::SurfaceRecorder;
 use crate::topology::{IdError, NoRecorder, TooMany};
 use std::collections::BTreeSet;
 
@@ -54,14 +55,10 @@ impl Polyhedron {
         point: [f64; 3],
         rec: &mut impl SurfaceRecorder,
     ) -> Result<VertexId, AddVertexError> {
-        for (axis, value) in ['x', 'y', 'z'].into_iter().zip(point) {
-            check_coordinate(axis, value)?;
-        }
+        check_place(point)?;
         self.dcel.room_for(1, 0, 0)?;
         let v = self.dcel.add_vertex_record(rec);
-        let old = self.points.get(v).copied();
-        self.points.set(v, point, [0.0; 3]);
-        rec.surface(SurfaceChange::Placed { vertex: v, old, new: point });
+        self.place(v, point, rec);
         Ok(v)
     }
 
@@ -97,7 +94,6 @@ impl Polyhedron {
             let touched = h.edge().half_edges().map(|h| self.dcel.face(h)).to_vec();
             let mut starts = Vec::new();
             self.splice_out(h, &mut starts, rec);
-            starts.retain(|&h| self.dcel.has_half_edge(h));
             self.renew_borders(starts, touched, rec);
         }
         self.dcel.remove_vertex_record(v, rec);

@@ -33,8 +33,9 @@ mod simplex;
 mod triangles;
 
 use super::Polyhedron;
+use crate::geometry::space::check_place;
 use crate::ids::{MAX_IDS, VertexMap};
-use crate::plane::{CoordinateError, check_coordinate};
+use crate::plane::CoordinateError;
 use crate::topology::{NoObserver, Observer, TooMany};
 use facets::Facets;
 pub(super) use order::places;
@@ -156,10 +157,8 @@ impl Polyhedron {
         if points.len() > MAX_IDS / 6 {
             return Err(TooMany.into());
         }
-        for (point, position) in (0..).zip(points) {
-            for (axis, &value) in ['x', 'y', 'z'].into_iter().zip(position) {
-                check_coordinate(axis, value).map_err(|error| HullError::Coordinate { point, error })?;
-            }
+        for (point, &position) in (0..).zip(points) {
+            check_place(position).map_err(|error| HullError::Coordinate { point, error })?;
         }
         let corners = simplex::spanning_points(points)?;
         let core = core::Core::new(points);

@@ -5,6 +5,7 @@
 //!                                      each stretch sorted along a curve that fills space
 //! ```
 
+use crate::geometry::interval::range;
 use crate::geometry::random;
 
 /// Calls `add` once for every point that is wanted. Expected O(n log n). The same points come in the same order every
@@ -31,15 +32,8 @@ pub(super) fn order(points: &[[f64; 3]], wanted: impl Fn(u32) -> bool, mut add: 
 
 /// The place of a point along a curve through 1024³ cells (Morton, 1966).
 pub(in crate::solid) fn places(points: &[[f64; 3]]) -> impl Fn([f64; 3]) -> u32 + use<> {
-    let mut low = [f64::INFINITY; 3];
-    let mut high = [f64::NEG_INFINITY; 3];
-    for p in points {
-        for i in 0..3 {
-            low[i] = low[i].min(p[i]);
-            high[i] = high[i].max(p[i]);
-        }
-    }
-    let scale: [f64; 3] = std::array::from_fn(|i| if high[i] > low[i] { 1023.0 / (high[i] - low[i]) } else { 0.0 });
+    let axes = [0, 1, 2].map(|i| range(points.iter().map(|p| p[i])));
+    let scale = axes.map(|[low, high]| if high > low { 1023.0 / (high - low) } else { 0.0 });
     let spread = |cell: u32| (0..10).fold(0, |sum, bit| sum | (cell >> bit & 1) << (3 * bit));
-    move |p| (0..3).fold(0, |sum, i| sum | spread(((p[i] - low[i]) * scale[i]) as u32 & 1023) << i)
+    move |p| (0..3).fold(0, |sum, i| sum | spread(((p[i] - axes[i][0]) * scale[i]) as u32 & 1023) << i)
 }

@@ -8,7 +8,7 @@
 //! ```
 
 use super::hub::Spoke;
-use super::place::check_place;
+use crate::geometry::space::check_place;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use crate::solid::Polyhedron;

@@ -8,7 +8,7 @@
 //! The surface stays simple: no edit here makes a second edge between two vertices, and none touches a border from the
 //! side where there is no surface.
 
-use super::place::check_place;
+use crate::geometry::space::check_place;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use crate::solid::Polyhedron;
@@ -90,6 +90,15 @@ impl Polyhedron {
     fn no_border(&self, h: HalfEdgeId) -> Result<(), SurfaceEditError> {
         match [h, h.twin()].into_iter().find(|&side| self.is_border(side)) {
             Some(side) => Err(SurfaceEditError::OnBorder { h, face: self.dcel.face(side) }),
+            None => Ok(()),
+        }
+    }
+
+    /// Fails if an end of the edge has but one other edge.
+    fn no_dangling(&self, h: HalfEdgeId) -> Result<(), SurfaceEditError> {
+        let thin = |&side: &HalfEdgeId| self.dcel.ccw(side) == self.dcel.cw(side);
+        match [h, h.twin()].into_iter().find(thin) {
+            Some(side) => Err(SurfaceEditError::Dangling { h, vertex: self.dcel.origin(side) }),
             None => Ok(()),
         }
     }
@@ -252,10 +261,7 @@ impl Polyhedron {
         self.dcel.can_join_faces(h)?;
         self.no_border(h)?;
         let t = h.twin();
-        let thin = |&side: &HalfEdgeId| self.dcel.ccw(side) == self.dcel.cw(side);
-        if let Some(side) = [h, t].into_iter().find(thin) {
-            return Err(SurfaceEditError::Dangling { h, vertex: self.dcel.origin(side) });
-        }
+        self.no_dangling(h)?;
         let mut near: Vec<VertexId> = self.dcel.cycle(h).map(|g| self.dcel.origin(g)).collect();
         near.sort_unstable();
         let both = self.dcel.cycle(t).filter(|&g| near.binary_search(&self.dcel.origin(g)).is_ok()).count();
@@ -279,10 +285,7 @@ impl Polyhedron {
         self.dcel.can_flip_edge(h)?;
         self.no_border(h)?;
         let t = h.twin();
-        let thin = |&side: &HalfEdgeId| self.dcel.ccw(side) == self.dcel.cw(side);
-        if let Some(side) = [h, t].into_iter().find(thin) {
-            return Err(SurfaceEditError::Dangling { h, vertex: self.dcel.origin(side) });
-        }
+        self.no_dangling(h)?;
         let ends = [t, h].map(|side| self.dcel.destination(self.dcel.next(side)));
         self.no_edge(ends[0], ends[1])?;
         self.dcel.flip_edge_unchecked(h, rec);

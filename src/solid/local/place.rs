@@ -5,8 +5,9 @@
 //!                                                        so that faces still run counter-clockwise as seen from outside
 //! ```
 
+use crate::geometry::space::check_place;
 use crate::ids::VertexId;
-use crate::plane::{Affine, CoordinateError, check_coordinate};
+use crate::plane::{Affine, CoordinateError};
 use crate::solid::Polyhedron;
 use crate::solid::surface_journal::{SurfaceChange, SurfaceRecorder};
 use crate::topology::{IdError, NoRecorder};
@@ -43,14 +44,9 @@ pub enum SpaceTransformError {
     },
 }
 
-/// Fails unless all three coordinates can be used.
-pub(super) fn check_place(place: [f64; 3]) -> Result<(), CoordinateError> {
-    ['x', 'y', 'z'].into_iter().zip(place).try_for_each(|(axis, x)| check_coordinate(axis, x))
-}
-
 impl Polyhedron {
     /// Puts a vertex to a place; a new one gets its slot.
-    pub(super) fn place(&mut self, vertex: VertexId, new: [f64; 3], rec: &mut impl SurfaceRecorder) {
+    pub(in crate::solid) fn place(&mut self, vertex: VertexId, new: [f64; 3], rec: &mut impl SurfaceRecorder) {
         let old = self.points.get(vertex).copied();
         self.points.set(vertex, new, [0.0; 3]);
         rec.surface(SurfaceChange::Placed { vertex, old, new });

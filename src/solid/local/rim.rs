@@ -16,7 +16,7 @@
 //! Phases: an edge with a free end at each corner, into the face; sides between the free ends.
 
 use super::hub::Quiet;
-use super::place::check_place;
+use crate::geometry::space::check_place;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use crate::solid::Polyhedron;
@@ -121,17 +121,6 @@ impl Polyhedron {
         first.unwrap_or(tips[0])
     }
 
-    fn rim_with(
-        &mut self,
-        f: FaceId,
-        share: f64,
-        distance: f64,
-        rec: &mut impl SurfaceRecorder,
-    ) -> Result<HalfEdgeId, RimError> {
-        let corners = self.plan_rim(f, share, distance)?;
-        Ok(self.make_rim(&corners, rec))
-    }
-
     /// Puts a smaller face into `f`, its corners moved by a `share` of the way to the mean of the corners. `f` keeps its
     /// number and is the smaller face; a quadrilateral is new at each old side. Returns a side of the smaller face.
     ///
@@ -161,7 +150,7 @@ impl Polyhedron {
         share: f64,
         rec: &mut impl SurfaceRecorder,
     ) -> Result<HalfEdgeId, RimError> {
-        self.rim_with(f, share, 0.0, rec)
+        self.bevel_face_with(f, share, 0.0, rec)
     }
 
     /// Pulls `f` out along its normal by a `distance`, negative to push it in: walls are new at each of its sides. With
@@ -190,7 +179,7 @@ impl Polyhedron {
         distance: f64,
         rec: &mut impl SurfaceRecorder,
     ) -> Result<HalfEdgeId, RimError> {
-        self.rim_with(f, 0.0, distance, rec)
+        self.bevel_face_with(f, 0.0, distance, rec)
     }
 
     /// Cuts off the edges round `f`: [`inset_face`](Self::inset_face) and [`extrude_face`](Self::extrude_face) in one.
@@ -211,6 +200,7 @@ impl Polyhedron {
         distance: f64,
         rec: &mut impl SurfaceRecorder,
     ) -> Result<HalfEdgeId, RimError> {
-        self.rim_with(f, share, distance, rec)
+        let corners = self.plan_rim(f, share, distance)?;
+        Ok(self.make_rim(&corners, rec))
     }
 }

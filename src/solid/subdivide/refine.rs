@@ -20,7 +20,7 @@
 use super::super::{Polyhedron, Selection};
 use super::SubdivideError;
 use crate::geometry::threads::{halved, pieces, pieces_of};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::topology::{Columns, Dcel, TooMany};
 use std::borrow::Cow;
 
@@ -97,22 +97,15 @@ impl<'a> Coarse<'a> {
 }
 
 fn compacted(solid: &Polyhedron, creases: &Selection<EdgeId>) -> (Polyhedron, Selection<EdgeId>) {
-    let mut dcel = solid.topology().clone();
-    let map = dcel.compact();
-    let mut points = VertexMap::filled(dcel.vertex_bound(), [0.0; 3]);
-    for (old, new) in map.vertices.iter() {
-        if let Some(new) = *new {
-            points[new] = solid.point(old);
-        }
-    }
-    let boundary_faces = solid.boundary_faces().filter_map(|f| map.faces[f]).collect();
+    let mut solid = solid.clone();
+    let map = solid.compact();
     let mut finer = Selection::new();
     for e in creases.ids(u8::MAX) {
         if let Some(new) = map.edges.get(e).copied().flatten() {
             finer.add(new, creases.mask(e));
         }
     }
-    (Polyhedron::assembled(dcel, points, boundary_faces), finer)
+    (solid, finer)
 }
 
 /// How many elements the finer surface has, boundary faces not counted.

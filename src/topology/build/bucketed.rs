@@ -301,15 +301,12 @@ fn read_ahead(words: &[u32], range: Range<usize>) {
 mod tests {
     use super::super::{Stop, streamed};
     use super::{Columns, bucketed};
+    use crate::geometry::random::xorshift;
 
     /// The grid of the seed: some faces missing, names and order mixed up, sometimes a face reversed or one too many.
-    fn grid(mut seed: u64) -> Vec<[u32; 3]> {
-        let mut below = move |bound: usize| {
-            seed ^= seed << 13;
-            seed ^= seed >> 7;
-            seed ^= seed << 17;
-            (seed >> 33) as usize % bound
-        };
+    fn grid(seed: u64) -> Vec<[u32; 3]> {
+        let mut random = xorshift(seed);
+        let mut below = move |bound: usize| (random() >> 33) as usize % bound;
         let mut names: Vec<u32> = (0..41 * 41).collect();
         (1..names.len()).for_each(|i| names.swap(i, below(i + 1)));
         let mut faces = Vec::new();

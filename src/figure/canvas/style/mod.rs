@@ -19,7 +19,7 @@
 
 pub(crate) mod file;
 
-use std::fmt;
+use std::fmt::{self, Write};
 
 /// A colour as 0xRRGGBB; prints as `#rrggbb`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -236,25 +236,25 @@ impl Style {
         let halo = |width: &str| format!("paint-order:stroke;stroke-width:{width}em;stroke-linejoin:round");
         let fixed: [(&str, String); 14] = [
             ("text", format!("font-family:{};text-anchor:middle", self.font)),
-            ("edge", format!("stroke-width:{};fill:none;stroke-linecap:round", drawn(self.edge_width))),
-            ("mesh", "fill:none;stroke-linejoin:round".to_owned()),
-            ("dots", "stroke-width:3;fill:none;stroke-linecap:round".to_owned()),
-            ("hatch", "stroke-width:1.6".to_owned()),
-            ("hatched", "opacity:.55".to_owned()),
-            ("sh", format!("stroke-width:{};fill:none", drawn(self.shaft_width))),
-            ("thin", format!("stroke-width:{}", drawn(0.5 * self.shaft_width))),
-            ("vd", "stroke-width:1.8".to_owned()),
-            ("vl", format!("font-weight:700;{}", halo(".26"))),
-            ("hl", halo(".3")),
-            ("fl", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
-            ("ll", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
-            ("leader", "stroke-width:1;fill:none;stroke-linecap:round".to_owned()),
+            (".edge", format!("stroke-width:{};fill:none;stroke-linecap:round", drawn(self.edge_width))),
+            (".mesh", "fill:none;stroke-linejoin:round".to_owned()),
+            (".dots", "stroke-width:3;fill:none;stroke-linecap:round".to_owned()),
+            (".hatch", "stroke-width:1.6".to_owned()),
+            (".hatched", "opacity:.55".to_owned()),
+            (".sh", format!("stroke-width:{};fill:none", drawn(self.shaft_width))),
+            (".thin", format!("stroke-width:{}", drawn(0.5 * self.shaft_width))),
+            (".vd", "stroke-width:1.8".to_owned()),
+            (".vl", format!("font-weight:700;{}", halo(".26"))),
+            (".hl", halo(".3")),
+            (".fl", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
+            (".ll", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
+            (".leader", "stroke-width:1;fill:none;stroke-linecap:round".to_owned()),
         ];
-        for (class, properties) in fixed {
-            rule(&mut out, scope, class, &properties);
+        for (selector, properties) in fixed {
+            rule(&mut out, scope, selector, &properties);
         }
         for (i, hue) in self.tints.iter().enumerate() {
-            rule(&mut out, scope, &format!("t{i}"), &format!("fill:{hue}"));
+            rule(&mut out, scope, &format!(".t{i}"), &format!("fill:{hue}"));
         }
         self.in_both(&mut out, |out, palette| colours(out, scope, palette));
         out
@@ -271,32 +271,32 @@ impl Style {
     }
 }
 
-fn rule(out: &mut String, scope: &str, class: &str, properties: &str) {
-    let dot = if class == "text" { "" } else { "." };
-    out.push_str(&format!("#{scope} {dot}{class}{{{properties}}}\n"));
+/// Adds the rule of a selector.
+pub(crate) fn rule(out: &mut String, scope: &str, selector: &str, properties: &str) {
+    let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
 }
 
 fn colours(out: &mut String, scope: &str, palette: &Palette) {
     let Palette { background, ink, half_edge, edge, face, hatch, tint_opacity, .. } = palette;
     let rules = [
-        ("bg", format!("fill:{background}")),
-        ("face", format!("fill-opacity:{}", crate::figure::canvas::number::drawn(*tint_opacity))),
-        ("edge", format!("stroke:{edge}")),
-        ("mesh", format!("stroke:{edge}")),
-        ("hatch", format!("stroke:{hatch}")),
-        ("sh", format!("stroke:{half_edge}")),
-        ("barb", format!("fill:{half_edge}")),
-        ("vd", format!("fill:{background};stroke:{ink}")),
-        ("dot", format!("fill:{ink}")),
-        ("dots", format!("stroke:{ink}")),
-        ("vl", format!("fill:{ink};stroke:{background}")),
-        ("hl", format!("fill:{half_edge};stroke:{background}")),
-        ("fl", format!("fill:{face};stroke:{background}")),
-        ("ll", format!("fill:{face};stroke:{background}")),
-        ("leader", format!("stroke:{face}")),
-        ("root", format!("fill:{face}")),
+        (".bg", format!("fill:{background}")),
+        (".face", format!("fill-opacity:{}", crate::figure::canvas::number::drawn(*tint_opacity))),
+        (".edge", format!("stroke:{edge}")),
+        (".mesh", format!("stroke:{edge}")),
+        (".hatch", format!("stroke:{hatch}")),
+        (".sh", format!("stroke:{half_edge}")),
+        (".barb", format!("fill:{half_edge}")),
+        (".vd", format!("fill:{background};stroke:{ink}")),
+        (".dot", format!("fill:{ink}")),
+        (".dots", format!("stroke:{ink}")),
+        (".vl", format!("fill:{ink};stroke:{background}")),
+        (".hl", format!("fill:{half_edge};stroke:{background}")),
+        (".fl", format!("fill:{face};stroke:{background}")),
+        (".ll", format!("fill:{face};stroke:{background}")),
+        (".leader", format!("stroke:{face}")),
+        (".root", format!("fill:{face}")),
     ];
-    for (class, properties) in rules {
-        rule(out, scope, class, &properties);
+    for (selector, properties) in rules {
+        rule(out, scope, selector, &properties);
     }
 }

@@ -67,31 +67,23 @@ fn between(moments: &mut Vec<Moment>, step: usize, fine: &Polyhedron, coarse: &P
     let faces = in_faces.iter().map(|&v| (Role::Main, fine.point(v), "vertex in a face", None));
     let edges = of_edges.iter().map(|&v| (Role::Secondary, fine.point(v), "vertex of an edge", None));
     let old = moved.iter().map(|&v| (Role::Event, fine.point(v), "new place of a vertex", None));
-    let mut moment = Moment::new(
-        format!("Step {step}: {} vertices in faces", in_faces.len()),
-        "each is the mean of the corners".to_owned(),
-        step - 1,
-    );
-    moment.points.extend(faces.clone());
-    moments.push(moment);
-    let mut moment = Moment::new(
-        format!("Step {step}: {} vertices of edges", of_edges.len()),
-        "each is the mean of the two ends and the two vertices in the faces beside it".to_owned(),
-        step - 1,
-    );
-    moment.points.extend(faces.clone().chain(edges.clone()));
-    moments.push(moment);
-    let mut moment = Moment::new(
-        format!("Step {step}: {} vertices move", moved.len()),
-        "by the means of the faces and edges round them".to_owned(),
-        step - 1,
-    );
+    let moment = |what: String, text: &str, points: Vec<_>| {
+        let moment = Moment::new(format!("Step {step}: {what}"), text.to_owned(), step - 1);
+        Moment { points, ..moment }
+    };
+    let what = format!("{} vertices in faces", in_faces.len());
+    moments.push(moment(what, "each is the mean of the corners", faces.clone().collect()));
+    let what = format!("{} vertices of edges", of_edges.len());
+    let text = "each is the mean of the two ends and the two vertices in the faces beside it";
+    moments.push(moment(what, text, faces.clone().chain(edges.clone()).collect()));
+    let what = format!("{} vertices move", moved.len());
+    let points = faces.chain(edges).chain(old).collect();
+    let mut last = moment(what, "by the means of the faces and edges round them", points);
     // Numbers stay only in a surface without gaps.
     if coarse.vertex_bound() == coarse.vertex_count() {
         for &v in &moved {
-            moment.lines.push((Role::Event, vec![coarse.point(v), fine.point(v)], "how a vertex moves"));
+            last.lines.push((Role::Event, vec![coarse.point(v), fine.point(v)], "how a vertex moves"));
         }
     }
-    moment.points.extend(faces.chain(edges).chain(old));
-    moments.push(moment);
+    moments.push(last);
 }

@@ -1,7 +1,7 @@
 //! Hill climbing over a convex solid, seen so that the direction points up.
 
+use super::numbered;
 use super::space::{Moment, film};
-use super::{number, shown};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::Role;
 use crate::ids::VertexId;
@@ -51,16 +51,13 @@ pub fn hill_climbing(
         }
     }
     let mut moments = Vec::new();
-    let mut before = None;
     let point = |v: VertexId| solid.point(v);
     let base = |moment: &mut Moment, way: &[VertexId]| {
         if way.len() > 1 {
             moment.lines.push((Role::Main, way.iter().map(|&v| point(v)).collect(), "the climb so far"));
         }
     };
-    for i in shown(way.len(), most) {
-        let number = number(i, before, way.len());
-        before = Some(i);
+    for (i, number) in numbered(way.len(), most) {
         let at = way[i];
         let text = match way.get(i + 1) {
             Some(next) => format!("{next} is the highest of its neighbours, and higher than {at}: go there"),

@@ -1,6 +1,6 @@
 //! Ear clipping: which corners are no ears, and why; what is left after each cut.
 
-use super::{named, number, shown};
+use super::{all_triangles, faces_given, named, numbered};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::geometry::predicates::orientation;
@@ -24,22 +24,14 @@ pub fn ear_clipping(given: &Subdivision, most: usize) -> Result<SketchFilm, Tria
     let mut events = Vec::new();
     let mut done = given.clone();
     let added = done.triangulate_ears_observed(&mut events)?;
-    let mut film = SketchFilm::new();
-    film.quiet();
-    let heading = "The faces that are given";
-    let mut start = Sketch::new();
-    named(&mut start, given, &[]);
-    film.over(heading, "an ear turns left, and no vertex lies in its triangle", given, Backdrop::Plain, start);
+    let mut film = faces_given("an ear turns left, and no vertex lies in its triangle", given);
     let mut cut: Vec<[VertexId; 3]> = Vec::new();
     let mut next = 0;
-    let mut before = None;
-    for i in shown(events.len(), most) {
+    for (i, number) in numbered(events.len(), most) {
         for event in &events[next..i] {
             cut.extend(is_cut(event));
         }
         next = i + 1;
-        let number = number(i, before, events.len());
-        before = Some(i);
         let mut sketch = Sketch::new();
         for corners in &cut {
             let [a, b, c] = corners.map(|v| given.point(v));
@@ -77,13 +69,8 @@ pub fn ear_clipping(given: &Subdivision, most: usize) -> Result<SketchFilm, Tria
         film.over(&format!("Corner {number}: {b}"), &text, given, Backdrop::Dimmed, sketch);
         cut.extend(is_cut(&events[i]));
     }
-    let mut end = Sketch::new();
-    for e in &added.diagonals {
-        end.path(Role::Main, e.half_edges().map(|h| done.point(done.origin(h)))).key("diagonal");
-    }
-    named(&mut end, &done, &[]);
     let text = format!("{} diagonals", added.diagonals.len());
-    film.over("All triangles", &text, &done, Backdrop::Plain, end);
+    all_triangles(&mut film, &text, &done, &added.diagonals);
     Ok(film)
 }
 

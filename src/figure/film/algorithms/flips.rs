@@ -1,6 +1,6 @@
 //! Lawson's flips: why an edge has to go, and what takes its place.
 
-use super::{named, number, shown};
+use super::{named, numbered, opened};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::ids::{EdgeId, VertexId};
@@ -33,8 +33,6 @@ pub fn lawson_flips(given: &Subdivision, is_fixed: impl Fn(EdgeId) -> bool, most
             FlipEvent::Kept(_) => None,
         })
         .collect();
-    let mut film = SketchFilm::new();
-    film.quiet();
     let mut now = given.clone();
     let mut start = Sketch::new();
     let wrong: Vec<EdgeId> = now.non_delaunay_edges(&is_fixed).collect();
@@ -47,18 +45,15 @@ pub fn lawson_flips(given: &Subdivision, is_fixed: impl Fn(EdgeId) -> bool, most
         1 => "one edge is not locally Delaunay".to_owned(),
         count => format!("{count} edges are not locally Delaunay"),
     };
-    film.over("The triangulation that is given", &text, &now, Backdrop::Dimmed, start);
+    let mut film = opened("The triangulation that is given", &text, &now, Backdrop::Dimmed, start);
 
     let mut next = 0;
-    let mut before = None;
-    for i in shown(flips.len(), most) {
+    for (i, number) in numbered(flips.len(), most) {
         while next < i {
             flip(&mut now, flips[next]);
             next += 1;
         }
         let e = flips[i];
-        let heading = format!("Flip {}: {e}", number(i, before, flips.len()));
-        before = Some(i);
         let about = corners(&now, e);
         let [a, b, c, d] = about.map(|v| now.point(v));
         let mut sketch = Sketch::new();
@@ -67,7 +62,7 @@ pub fn lawson_flips(given: &Subdivision, is_fixed: impl Fn(EdgeId) -> bool, most
         sketch.point(Role::Event, d).key("corner inside of the circle");
         named(&mut sketch, &now, &about);
         let text = format!("{} lies inside of the circle, so {e} is flipped", about[3]);
-        film.over(&heading, &text, &now, Backdrop::Dimmed, sketch);
+        film.over(&format!("Flip {number}: {e}"), &text, &now, Backdrop::Dimmed, sketch);
 
         flip(&mut now, e);
         next = i + 1;

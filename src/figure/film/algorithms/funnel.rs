@@ -1,6 +1,6 @@
 //! Paths through a navmesh: the funnel portal by portal, the cones of the exact search one by one.
 
-use super::shown;
+use super::{numbered, shown};
 use crate::figure::SketchFilm;
 use crate::figure::navmesh::Floor;
 use crate::figure::sketch::Backdrop;
@@ -47,10 +47,8 @@ pub fn cones(map: &Subdivision, mesh: &NavMesh, cones: &[Cone], route: &Route, m
     let floor = Floor::new(map, mesh);
     let mut film = SketchFilm::new();
     film.quiet();
-    let mut before = None;
-    for i in shown(cones.len(), most) {
-        let (heading, text, sketch) = floor.cone_panel(cones, i, route, &super::number(i, before, cones.len()));
-        before = Some(i);
+    for (i, number) in numbered(cones.len(), most) {
+        let (heading, text, sketch) = floor.cone_panel(cones, i, route, &number);
         film.over(&heading, &text, map, Backdrop::Dimmed, sketch);
     }
     let (heading, text, sketch) = floor.path_panel(cones.len(), route);

@@ -1,6 +1,6 @@
 //! A convex hull, as Andrew's scan finds it: corners come, and go again.
 
-use super::{number, shown};
+use super::numbered;
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Role, Sketch};
 use crate::plane::{HullError, HullEvent, Point, convex_hull_observed};
@@ -34,14 +34,12 @@ pub fn convex_hull(points: &[Point], most: usize) -> Result<SketchFilm, HullErro
     };
     film.frame(&format!("{} points", points.len()), &text, dots(points));
     let place = |i: u32| points[i as usize];
-    let (mut chain, mut next, mut before): (Vec<u32>, usize, Option<usize>) = (Vec::new(), 0, None);
-    for i in shown(steps.len(), most) {
+    let (mut chain, mut next): (Vec<u32>, usize) = (Vec::new(), 0);
+    for (i, number) in numbered(steps.len(), most) {
         while next < i {
             apply(&mut chain, steps[next]);
             next += 1;
         }
-        let number = number(i, before, steps.len());
-        before = Some(i);
         let mut sketch = dots(points);
         let kept = match steps[i] {
             HullEvent::Dropped { .. } => chain.len().saturating_sub(1),

@@ -1,6 +1,6 @@
 //! A walk to a point: which faces it crosses, and over which half-edge it leaves each of them.
 
-use super::{number, shown};
+use super::{numbered, opened};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::ids::{FaceId, VertexId};
@@ -23,8 +23,6 @@ use crate::topology::IdError;
 pub fn location_walk(s: &Subdivision, start: VertexId, p: Point, most: usize) -> Result<SketchFilm, IdError> {
     let mut events = Vec::new();
     let location = s.walk_from_observed(start, p, &mut events)?;
-    let mut film = SketchFilm::new();
-    film.quiet();
     let base = |about: &[VertexId]| {
         let mut sketch = Sketch::new();
         sketch.path(Role::Secondary, [s.point(start), p]).arrow().key("the straight way");
@@ -36,11 +34,8 @@ pub fn location_walk(s: &Subdivision, start: VertexId, p: Point, most: usize) ->
         sketch
     };
     let text = format!("a walk from {start}, face by face, towards the point");
-    film.over("Where does the point lie?", &text, s, Backdrop::Dimmed, base(&[start]));
-    let mut before: Option<usize> = None;
-    for i in shown(events.len(), most) {
-        let number = number(i, before, events.len());
-        before = Some(i);
+    let mut film = opened("Where does the point lie?", &text, s, Backdrop::Dimmed, base(&[start]));
+    for (i, number) in numbered(events.len(), most) {
         let faces = |event: &WalkEvent| if let WalkEvent::Face { face, .. } = event { Some(*face) } else { None };
         let about = match events[i] {
             WalkEvent::Along(h) | WalkEvent::Face { over: Some(h), .. } => vec![s.origin(h), s.destination(h)],

@@ -57,9 +57,10 @@ pub use sweep::segment_sweep;
 pub use voronoi::voronoi;
 pub use walks::{face_walk, vertex_walk};
 
-use crate::figure::sketch::{Role, Sketch};
-use crate::ids::VertexId;
-use crate::plane::Subdivision;
+use crate::figure::SketchFilm;
+use crate::figure::sketch::{Backdrop, Role, Sketch};
+use crate::ids::{EdgeId, VertexId};
+use crate::plane::{PlanarView, Subdivision};
 
 /// The names of vertices, of all if there are few, else of those that the frame is about.
 fn named(sketch: &mut Sketch, s: &Subdivision, about: &[VertexId]) {
@@ -85,6 +86,36 @@ fn number(i: usize, before: Option<usize>, count: usize) -> String {
         0 => format!("{} of {count}", i + 1),
         _ => format!("{} of {count}, {left_out} not shown", i + 1),
     }
+}
+
+/// The events that are shown, each with its number.
+fn numbered(count: usize, most: usize) -> impl Iterator<Item = (usize, String)> {
+    let mut before = None;
+    shown(count, most).into_iter().map(move |i| (i, number(i, before.replace(i), count)))
+}
+
+/// A film over quiet structures, with its first frame.
+fn opened(heading: &str, text: &str, view: &dyn PlanarView, backdrop: Backdrop, sketch: Sketch) -> SketchFilm {
+    let mut film = SketchFilm::new();
+    film.quiet().over(heading, text, view, backdrop, sketch);
+    film
+}
+
+/// The film of a triangulation, with its first frame.
+fn faces_given(text: &str, given: &Subdivision) -> SketchFilm {
+    let mut sketch = Sketch::new();
+    named(&mut sketch, given, &[]);
+    opened("The faces that are given", text, given, Backdrop::Plain, sketch)
+}
+
+/// The last frame of a triangulation.
+fn all_triangles(film: &mut SketchFilm, text: &str, done: &Subdivision, diagonals: &[EdgeId]) {
+    let mut sketch = Sketch::new();
+    for e in diagonals {
+        sketch.path(Role::Main, e.half_edges().map(|h| done.point(done.origin(h)))).key("diagonal");
+    }
+    named(&mut sketch, done, &[]);
+    film.over("All triangles", text, done, Backdrop::Plain, sketch);
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Triangulation by monotone pieces: the sweep over the corners, then the pieces.
 
-use super::{named, number, shown};
+use super::{all_triangles, faces_given, named, numbered};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::ids::VertexId;
@@ -24,24 +24,18 @@ pub fn monotone(given: &Subdivision, most: usize) -> Result<SketchFilm, Triangul
     let mut events = Vec::new();
     let mut done = given.clone();
     let added = done.triangulate_monotone_observed(&mut events)?;
-    let mut film = SketchFilm::new();
-    film.quiet();
-    let mut start = Sketch::new();
-    named(&mut start, given, &[]);
     let text = "a sweep from left to right cuts them into pieces without split and merge corners";
-    film.over("The faces that are given", text, given, Backdrop::Plain, start);
+    let mut film = faces_given(text, given);
 
     let point = |v: VertexId| given.point(v);
     let (mut diagonals, mut cut): (Vec<[VertexId; 2]>, Vec<[VertexId; 3]>) = (Vec::new(), Vec::new());
     let mut merges: Vec<VertexId> = Vec::new();
-    let (mut next, mut before) = (0, None);
-    for i in shown(events.len(), most) {
+    let mut next = 0;
+    for (i, number) in numbered(events.len(), most) {
         for event in &events[next..i] {
             remember(event, &mut diagonals, &mut cut, &mut merges);
         }
         next = i;
-        let number = number(i, before, events.len());
-        before = Some(i);
         let mut sketch = Sketch::new();
         for corners in &cut {
             sketch.region(Role::Dimmed, [corners.map(point)]).hatched().key("cut off");
@@ -78,14 +72,9 @@ pub fn monotone(given: &Subdivision, most: usize) -> Result<SketchFilm, Triangul
         named(&mut sketch, given, &about);
         film.over(&format!("Event {number}: {heading}"), &text, given, Backdrop::Dimmed, sketch);
     }
-    let mut end = Sketch::new();
-    for e in &added.diagonals {
-        end.path(Role::Main, e.half_edges().map(|h| done.point(done.origin(h)))).key("diagonal");
-    }
-    named(&mut end, &done, &[]);
     let pieces = events.iter().filter(|event| matches!(event, MonotoneEvent::Diagonal { .. })).count();
     let text = format!("{} diagonals, {pieces} of them between monotone pieces", added.diagonals.len());
-    film.over("All triangles", &text, &done, Backdrop::Plain, end);
+    all_triangles(&mut film, &text, &done, &added.diagonals);
     Ok(film)
 }
 

@@ -1,5 +1,6 @@
 //! What an algorithm refuses: the film has one frame, with what the refusal is about.
 
+use super::opened;
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::ids::{Element, FaceId, HalfEdgeId};
@@ -46,9 +47,7 @@ pub fn refusal(given: &dyn PlanarView, why: &str, elements: &[Element], places: 
     for (p, name) in places {
         sketch.point(Role::Wrong, *p).label(*name).key(KEY);
     }
-    let mut film = SketchFilm::new();
-    film.quiet().over(HEADING, why, given, Backdrop::Dimmed, sketch);
-    film
+    opened(HEADING, why, given, Backdrop::Dimmed, sketch)
 }
 
 fn side(sketch: &mut Sketch, given: &dyn PlanarView, h: HalfEdgeId, element: Element) {

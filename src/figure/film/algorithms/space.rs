@@ -8,6 +8,7 @@ use crate::figure::structure::part::Part;
 use crate::ids::{Element, VertexId};
 use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
+use crate::topology::has;
 
 /// Of so many vertices at most all names are drawn.
 const MOST_NAMES: usize = 24;
@@ -69,14 +70,7 @@ pub(super) fn film(solids: &[Polyhedron], moments: &[Moment], up: [f64; 3], name
 pub fn refusal_in_space(solid: &Polyhedron, why: &str, elements: &[Element]) -> SketchFilm {
     const KEY: &str = "what is refused";
     let mut moment = Moment::new(HEADING.to_owned(), why.to_owned(), 0);
-    let dcel = solid.topology();
-    let is_there = |element: &&Element| match **element {
-        Element::Vertex(v) => dcel.has_vertex(v),
-        Element::HalfEdge(h) => dcel.has_half_edge(h),
-        Element::Edge(e) => dcel.has_edge(e),
-        Element::Face(f) => dcel.has_face(f),
-    };
-    for &element in elements.iter().filter(is_there) {
+    for &element in elements.iter().filter(|&&element| has(solid.topology(), element)) {
         let point = |h| solid.point(solid.topology().origin(h));
         match element {
             Element::Vertex(v) => moment.points.push((Role::Wrong, solid.point(v), KEY, Some(v.to_string()))),

@@ -1,6 +1,6 @@
 //! The sweep that finds where segments cross: the line, the event, the segments it cuts.
 
-use super::{number, shown};
+use super::{numbered, shown};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Role, Sketch};
 use crate::plane::{Point, SegmentsError, SweepEvent, sweep_segments_observed};
@@ -37,14 +37,12 @@ pub fn segment_sweep(segments: &[[Point; 2]], most: usize) -> Result<SketchFilm,
     let text = "a line sweeps from left to right; only neighbours on it can cross next";
     film.frame(&format!("{} segments", segments.len()), text, given(segments, None));
     let mut found: Vec<Point> = Vec::new();
-    let (mut next, mut before) = (0, None);
-    for i in frames {
+    let mut next = 0;
+    for (i, number) in numbered(count.0, most) {
         for event in &events[next..=i] {
             found.extend(meets(event).then_some(event.at));
         }
         next = i + 1;
-        let number = number(i, before, events.len());
-        before = Some(i);
         let event = &events[i];
         let mut places = vec![Place::Ahead; segments.len()];
         events[..=i].iter().flat_map(|event| &event.ending).for_each(|&s| places[s as usize] = Place::Behind);

@@ -1,6 +1,6 @@
 //! A Voronoi diagram from the Delaunay triangulation of its sites, cell by cell.
 
-use super::{named, number, shown};
+use super::{named, numbered, opened};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::ids::VertexId;
@@ -30,22 +30,18 @@ pub fn voronoi(delaunay: &Subdivision, most: usize) -> Result<SketchFilm, Vorono
     for edge in diagram.edges() {
         edge.sites.iter().for_each(|v| round[v.index()].push(edge));
     }
-    let mut film = SketchFilm::new();
-    film.quiet();
     let mut start = sites_of(delaunay, None);
     named(&mut start, delaunay, &[]);
     let text = "the Voronoi diagram is its dual: a vertex for each triangle, an edge across each edge";
-    film.over("A Delaunay triangulation", text, delaunay, Backdrop::Dimmed, start);
+    let mut film = opened("A Delaunay triangulation", text, delaunay, Backdrop::Dimmed, start);
 
     let mut drawn = vec![false; delaunay.edge_bound()];
-    let (mut next, mut before) = (0, None);
-    for i in shown(sites.len(), most) {
+    let mut next = 0;
+    for (i, number) in numbered(sites.len(), most) {
         for v in &sites[next..i] {
             round[v.index()].iter().for_each(|edge| drawn[edge.dual.index()] = true);
         }
         next = i;
-        let number = number(i, before, sites.len());
-        before = Some(i);
         let v = sites[i];
         let mut sketch = sites_of(delaunay, Some(v));
         for edge in diagram.edges().iter().filter(|edge| drawn[edge.dual.index()] && !edge.sites.contains(&v)) {

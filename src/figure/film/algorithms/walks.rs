@@ -1,8 +1,9 @@
 //! Walks along the half-edges: round a face along next, round a vertex along prev and twin.
 
-use super::{named, number, shown};
+use super::{named, numbered, opened};
 use crate::figure::SketchFilm;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
+use crate::geometry::point::corners;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{IdError, InnerComponent};
@@ -34,12 +35,11 @@ pub fn face_walk(s: &Subdivision, f: FaceId, most: usize) -> Result<SketchFilm, 
         steps.extend(round.windows(2).map(|pair| (pair[1], format!("{} = {}.next", pair[1], pair[0]))));
     }
     let isolated = s.inner_components(f).iter().filter(|inner| matches!(inner, InnerComponent::Isolated(_))).count();
-    let mut film = SketchFilm::new();
-    film.quiet();
     let mut start = Sketch::new();
     paint(&mut start, s, f);
     named(&mut start, s, &[]);
-    film.over(&format!("The face {f}"), "it lies on the left of each of its half-edges", s, Backdrop::Dimmed, start);
+    let text = "it lies on the left of each of its half-edges";
+    let mut film = opened(&format!("The face {f}"), text, s, Backdrop::Dimmed, start);
     walk(&mut film, s, &steps, most, |h| format!("from {} to {}", s.origin(h), s.destination(h)));
     let mut end = Sketch::new();
     paint(&mut end, s, f);
@@ -76,13 +76,11 @@ pub fn vertex_walk(s: &Subdivision, v: VertexId, most: usize) -> Result<SketchFi
         };
         steps.push((h, about));
     }
-    let mut film = SketchFilm::new();
-    film.quiet();
     let mut start = Sketch::new();
     start.point(Role::Main, s.point(v)).key("the vertex");
     named(&mut start, s, &[v]);
     let text = "the half-edges that start there, counter-clockwise";
-    film.over(&format!("The vertex {v}"), text, s, Backdrop::Dimmed, start);
+    let mut film = opened(&format!("The vertex {v}"), text, s, Backdrop::Dimmed, start);
     walk(&mut film, s, &steps, most, |h| format!("to {}, with {} on its left", s.destination(h), s.face(h)));
     let mut end = Sketch::new();
     end.point(Role::Main, s.point(v)).key("the vertex");
@@ -104,10 +102,7 @@ fn walk(
     most: usize,
     about: impl Fn(HalfEdgeId) -> String,
 ) {
-    let mut before = None;
-    for i in shown(steps.len(), most) {
-        let number = number(i, before, steps.len());
-        before = Some(i);
+    for (i, number) in numbered(steps.len(), most) {
         let (h, how) = &steps[i];
         let so_far: Vec<HalfEdgeId> = steps[..=i].iter().map(|&(h, _)| h).collect();
         let mut sketch = Sketch::new();
@@ -144,11 +139,8 @@ fn paint(sketch: &mut Sketch, s: &Subdivision, f: FaceId) {
 
 /// How far beside their edges half-edges are drawn: a small part of the picture.
 fn distance_beside(s: &Subdivision) -> f64 {
-    let range = |x: fn(Point) -> f64| {
-        let xs = || s.vertices().map(|v| x(s.point(v)));
-        xs().fold(f64::NEG_INFINITY, f64::max) - xs().fold(f64::INFINITY, f64::min)
-    };
-    0.018 * range(|p| p.x).max(range(|p| p.y))
+    let [low, high] = corners(s.vertices().map(|v| s.point(v)));
+    0.018 * (high.x - low.x).max(high.y - low.y)
 }
 
 /// The half-edge on the left of its edge, a little shorter than that.

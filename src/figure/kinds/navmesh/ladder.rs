@@ -14,8 +14,8 @@ use crate::figure::kinds::navmesh::Floor;
 use crate::figure::kinds::navmesh::route::length;
 use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
+use crate::geometry::point::corners;
 use crate::navmesh::{PathAlgorithm, Route};
-use crate::plane::Point;
 
 /// The part of a panel's width that the names of the bars have.
 const NAMES: f64 = 0.4;
@@ -55,12 +55,7 @@ impl Floor<'_> {
 
     /// A bar for each route: by how much it is longer than `least`.
     fn bars(&self, routes: &[(PathAlgorithm, Route)], least: f64) -> Sketch {
-        let corners = self.map.vertices().map(|v| self.map.point(v));
-        let wide = |(low, high): (Point, Point), p: Point| {
-            (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-        };
-        let start = Point::new(f64::INFINITY, f64::INFINITY);
-        let (low, high) = corners.fold((start, Point::new(-start.x, -start.y)), wide);
+        let [low, high] = corners(self.map.vertices().map(|v| self.map.point(v)));
         let excess = |route: &Route| if least > 0.0 { route.length / least - 1.0 } else { 0.0 };
         let most = routes.iter().map(|(_, route)| excess(route)).fold(f64::MIN_POSITIVE, f64::max);
         let (width, step) = (high.x - low.x, (high.y - low.y) / routes.len().max(1) as f64);

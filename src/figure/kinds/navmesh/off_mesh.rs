@@ -3,6 +3,7 @@
 use crate::figure::kinds::navmesh::Floor;
 use crate::figure::sketch::{Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
+use crate::geometry::point::corners;
 use crate::plane::Point;
 
 impl Floor<'_> {
@@ -31,12 +32,9 @@ impl Floor<'_> {
 
     /// Whether a point is no further from the box round the map than that is wide and high.
     fn is_near(&self, p: Point) -> bool {
-        let span = |of: fn(Point) -> f64| {
-            let all = || self.map.vertices().map(|v| of(self.map.point(v)));
-            let [low, high] = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
-            let size = high - low;
-            of(p) >= low - size && of(p) <= high + size
-        };
-        span(|p| p.x) && span(|p| p.y)
+        let [low, high] = corners(self.map.vertices().map(|v| self.map.point(v)));
+        let size = Point::new(high.x - low.x, high.y - low.y);
+        let is_near = |x: f64, low: f64, high: f64, size: f64| x >= low - size && x <= high + size;
+        is_near(p.x, low.x, high.x, size.x) && is_near(p.y, low.y, high.y, size.y)
     }
 }

@@ -4,6 +4,7 @@ use crate::figure::kinds::navmesh::reach::WORDS;
 use crate::figure::kinds::navmesh::route::length;
 use crate::figure::sketch::{Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
+use crate::geometry::interval::range;
 use crate::ids::VertexId;
 use crate::navmesh::{NavSurface, SurfaceField, SurfaceLink, SurfacePoint, SurfaceRoute};
 use std::collections::BTreeMap;
@@ -156,7 +157,6 @@ impl<'a> Storeys<'a> {
                 sketch.path(role, line).solid().key(key);
             }
         }
-        let heights = triangles.iter().flatten().map(|p| p[2]);
-        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
+        range(triangles.iter().flatten().map(|p| p[2]))
     }
 }

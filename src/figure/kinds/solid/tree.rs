@@ -10,6 +10,7 @@
 //!
 //! Source: Ericson, *Real-Time Collision Detection*, chapter 6 (bounding volume hierarchies, top-down, median cut).
 
+use crate::geometry::interval::range;
 use crate::plane::Point;
 
 /// A box over the paper: its sides, and how near to the eye it reaches.
@@ -152,8 +153,7 @@ impl Tree {
 /// How far the middles of the items reach along each axis; 0 along one where they are not finite.
 fn extents(items: &[u32], middles: &[[f64; 3]]) -> [f64; 3] {
     std::array::from_fn(|axis| {
-        let values = items.iter().map(|&i| middles[i as usize][axis]);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let [low, high] = range(items.iter().map(|&i| middles[i as usize][axis]));
         if (high - low).is_finite() { high - low } else { 0.0 }
     })
 }
