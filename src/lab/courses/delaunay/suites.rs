@@ -6,7 +6,7 @@ use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::wheel;
 use crate::checks::walks::{blind, half_edges};
-use crate::fault::{Exchange, Fault, FaultKind, exchanges};
+use crate::fault::{Exchange, Fault, exchanges};
 use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::Plan;
@@ -84,21 +84,17 @@ impl Judge for Delaunay {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.test) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "is_legal") => "is_legal says whether a corner lies inside of the circle across an edge",
-            (_, "can_flip") => "can_flip refuses edges of the border and of quadrilaterals that are not convex",
-            (_, "flip_1_origins") => "flip sets the origins of both halves, and what the vertices refer to",
-            (_, "flip_2_links") => "flip sets next and prev in both triangles",
-            (_, "flip_3_faces") => "flip sets the faces, and what they refer to",
-            (_, "delaunify") => "delaunify flips edges that are not legal until all are, and tells which",
-            (_, costs::LARGE) => "delaunify looks again at the edges round a flip, and at no others",
-            (_, "smallest_angle") => "smallest_angle is the smallest angle of all triangles",
+        fault.kind.unfinished().unwrap_or(match fault.test {
+            "is_legal" => "is_legal says whether a corner lies inside of the circle across an edge",
+            "can_flip" => "can_flip refuses edges of the border and of quadrilaterals that are not convex",
+            "flip_1_origins" => "flip sets the origins of both halves, and what the vertices refer to",
+            "flip_2_links" => "flip sets next and prev in both triangles",
+            "flip_3_faces" => "flip sets the faces, and what they refer to",
+            "delaunify" => "delaunify flips edges that are not legal until all are, and tells which",
+            costs::LARGE => "delaunify looks again at the edges round a flip, and at no others",
+            "smallest_angle" => "smallest_angle is the smallest angle of all triangles",
             _ => "the picture shows the edges, the circles and the sites",
-        }
+        })
     }
 
     fn expected(&self, exchange: &Exchange) -> Option<Table> {

@@ -8,7 +8,7 @@ use super::starts::{
 use super::{features, hull, merge, picture, tangents};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
-use crate::fault::{Fault, FaultKind};
+use crate::fault::Fault;
 use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::{Plan, Secret};
@@ -79,16 +79,12 @@ impl Judge for Hulls {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.rule.as_str()) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "tangents") => "tangents finds the two corners, or refuses a point that is not outside",
-            (_, "common_tangents") => "common_tangents finds the outermost corners on both tangents",
-            (_, "merge") => "merge leaves one convex polygon, linked both ways",
+        fault.kind.unfinished().unwrap_or(match fault.rule.as_str() {
+            "tangents" => "tangents finds the two corners, or refuses a point that is not outside",
+            "common_tangents" => "common_tangents finds the outermost corners on both tangents",
+            "merge" => "merge leaves one convex polygon, linked both ways",
             _ => "the polygon has the corners of the hull, counter-clockwise, and no other points",
-        }
+        })
     }
 
     fn shorter(&self, case: &Case) -> Vec<Case> {

@@ -5,7 +5,7 @@ use super::{cells, centres, costs, duals, features, picture};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, grid, polygon, wheel};
-use crate::fault::{Fault, FaultKind};
+use crate::fault::Fault;
 use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
@@ -72,18 +72,14 @@ impl Judge for VoronoiDiagrams {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.test) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "circle_centre") => "circle_centre is as far from all three points, and refuses points on one line",
-            (_, "dual") => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
-            (_, "voronoi") => "the vertices of the dual are the centres of the triangles",
-            (_, "ray") => "a ray begins at the centre of its triangle and runs away from the triangulation",
-            (_, "cell" | LARGE) => "cell lists the centres of the triangles at a vertex, counter-clockwise",
+        fault.kind.unfinished().unwrap_or(match fault.test {
+            "circle_centre" => "circle_centre is as far from all three points, and refuses points on one line",
+            "dual" => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
+            "voronoi" => "the vertices of the dual are the centres of the triangles",
+            "ray" => "a ray begins at the centre of its triangle and runs away from the triangulation",
+            "cell" | LARGE => "cell lists the centres of the triangles at a vertex, counter-clockwise",
             _ => "the picture shows the edges and rays of the diagram, and its sites",
-        }
+        })
     }
 }
 
