@@ -7,6 +7,7 @@
 //!
 //! Cost: O(n) for each pairing; there are at most two ways for a split of a face, and four for one of an edge.
 
+use crate::cases::numbers::renumbered;
 use dcel_kit::topology::{HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::fmt;
@@ -147,8 +148,8 @@ pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
         orders.push(vec![b, a]);
     }
     for order in orders {
-        let renamed =
-            if order == new.half_edges { expected.clone() } else { rename(expected, &new.half_edges, &order) };
+        let name = |h| new.half_edges.iter().position(|&f| f == h).map_or(h, |i| order[i]);
+        let renamed = renumbered(expected, |v| v, name, |f| f);
         let differences = differences(&renamed, yours);
         if differences.is_empty() {
             return Aligned { expected: renamed, new: New { half_edges: order, ..new.clone() }, differences };
@@ -159,29 +160,6 @@ pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
         }
     }
     best.unwrap_or_else(|| Aligned { expected: expected.clone(), new: new.clone(), differences: Vec::new() })
-}
-
-/// The table in which each of `from` is called by its partner in `to`, a permutation of the same numbers.
-fn rename(table: &Table, from: &[HalfEdgeId], to: &[HalfEdgeId]) -> Table {
-    let name = |h: HalfEdgeId| from.iter().position(|&f| f == h).map_or(h, |i| to[i]);
-    let pointer = |h: Option<HalfEdgeId>| h.map(name);
-    let mut out = table.clone();
-    for (i, row) in table.half_edges.iter().enumerate() {
-        let row = row.map(|row| HalfEdgeRow {
-            twin: pointer(row.twin),
-            next: pointer(row.next),
-            prev: pointer(row.prev),
-            ..row
-        });
-        out.half_edges[name(HalfEdgeId::new(i as u32)).index()] = row;
-    }
-    for row in out.vertices.iter_mut().flatten() {
-        row.outgoing = pointer(row.outgoing);
-    }
-    for row in out.faces.iter_mut().flatten() {
-        row.half_edge = pointer(row.half_edge);
-    }
-    out
 }
 
 /// The fields that differ between two tables with the same elements, half-edges first.
