@@ -13,7 +13,7 @@ use super::starts::{odd, rectangle, relabelled, rounding, window};
 use super::{drawing, features, sequences, split_face, split_in_half, walk, walks};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
-use crate::checks::walks::{blind, half_edges};
+use crate::checks::walks::{BLIND, IN_THE_BLIND, blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::judge::{Asked, Judge, Source, Suite, ToldBy};
 use crate::plan::Plan;
@@ -25,12 +25,6 @@ use dcel_kit::topology::{HalfEdgeRow, Table};
 const RANDOM: (usize, usize) = (16, 10);
 /// How many small structures are asked with other names, too.
 const RELABELLED: usize = 8;
-
-/// What the names of cases say in which all vertices are at one place.
-const BLIND: &str = ".blind";
-/// What is added to every fault of such a case.
-const IN_THE_BLIND: &str =
-    " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
 /// The judge of lab 04.
 pub struct HalfEdge;

@@ -11,7 +11,7 @@ use super::{costs, features, picture};
 use crate::answers;
 use crate::cases::random::Random;
 use crate::cases::starts::wheel;
-use crate::checks::walks::blind;
+use crate::checks::walks::{BLIND, IN_THE_BLIND, blind};
 use crate::fault::{Exchange, Fault};
 use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
@@ -31,11 +31,6 @@ pub static NAVMESH: NavMeshJudge = NavMeshJudge;
 /// How many random meshes are asked for each test, and how many sleeves.
 const MESHES: usize = 8;
 const SLEEVES: usize = 120;
-/// Names of cases in which all vertices are at one place.
-const BLIND: &str = ".blind";
-/// What is added to every fault of such a case.
-const IN_THE_BLIND: &str =
-    " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
 impl Judge for NavMeshJudge {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
