@@ -202,7 +202,9 @@ pub fn differences(expected: &Table, yours: &Table) -> Vec<Difference> {
     out
 }
 
-fn half_edge_row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
+/// The row of a half-edge; an empty one if there is none.
+#[must_use]
+pub fn half_edge_row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
     table.half_edges.get(h.index()).copied().flatten().unwrap_or_default()
 }
 

@@ -1,16 +1,11 @@
 //! What is wrong with the dual of a structure, places aside: it has a vertex for each face, a face for each vertex, and
 //! crosses each half-edge.
 
+use super::faults::named;
 use crate::answers::Wrong;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::fmt::Display;
-
-/// An element in a sentence.
-#[must_use]
-pub fn named<T: Display>(element: Option<T>) -> String {
-    element.map_or("not set".to_owned(), |element| element.to_string())
-}
 
 /// What is wrong with a field of a half-edge.
 #[must_use]

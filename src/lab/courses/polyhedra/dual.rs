@@ -2,7 +2,8 @@
 
 use super::surface::Surface;
 use crate::answers::Wrong;
-use crate::checks::duals::{self, named};
+use crate::checks::duals;
+use crate::checks::faults::named;
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::FaceId;

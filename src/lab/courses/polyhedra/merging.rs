@@ -8,7 +8,8 @@
 use super::counts::euler_of;
 use super::surface::Surface;
 use crate::answers::Wrong;
-use crate::checks::duals::{self, named};
+use crate::checks::duals;
+use crate::checks::faults::named;
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{HalfEdgeRow, View};
