@@ -10,7 +10,7 @@ use super::mesh::{Spot, build, cells, corners, corridor, neighbours, random_mesh
 use super::{costs, features, picture};
 use crate::answers;
 use crate::cases::random::Random;
-use crate::cases::starts::wheel;
+use crate::cases::starts::{self, wheel};
 use crate::checks::walks::{BLIND, IN_THE_BLIND, blind};
 use crate::fault::{Exchange, Fault};
 use crate::judge::{Asked, Judge, Suite};
@@ -19,7 +19,6 @@ use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step, Structure};
 use dcel_kit::topology::Table;
 use dcel_kit::{Element, FaceId};
-use std::fmt::Write;
 use std::sync::Arc;
 
 /// The judge of lab 06.
@@ -109,10 +108,7 @@ impl Judge for NavMeshJudge {
 
 /// A mesh as the line that a student would type.
 fn typed(points: &[Spot], triangles: &[[usize; 3]]) -> Start {
-    let mut line = format!("mesh{} /", crate::cases::starts::points(points));
-    for [i, j, k] in triangles {
-        let _ = write!(line, " {i} {j} {k}");
-    }
+    let line = format!("mesh{} /{}", starts::points(points), starts::words(triangles.iter().flatten()));
     Start::known(line, Structure::HalfEdges(Arc::new(build(points, triangles))))
 }
 
@@ -286,7 +282,7 @@ fn fixed_portals() -> Vec<Case> {
 fn sleeve_line(sleeve: &Sleeve) -> String {
     let mut all = vec![sleeve.start, sleeve.goal];
     all.extend(sleeve.portals.iter().flatten());
-    format!("funnel{}", crate::cases::starts::points(&all))
+    format!("funnel{}", starts::points(&all))
 }
 
 /// A case needs a structure to begin with, although this function looks at none.
