@@ -1,6 +1,8 @@
 //! The figures of lab 07: the reference, and what a flip does to the records.
 
+use super::dots;
 use crate::gallery::Made;
+use crate::gallery::lesson::triangles;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision};
@@ -26,19 +28,14 @@ fn circle([a, b, c]: [Point; 3]) -> Vec<Point> {
 pub(in crate::gallery) fn circles() -> Made<String> {
     let delaunay = Subdivision::delaunay(&SITES.map(Point::from))?.subdivision;
     let mut sketch = Sketch::new();
-    for f in delaunay.faces().skip(1) {
-        let corners: Vec<Point> = delaunay.incident_vertices(f).map(|v| delaunay.point(v)).collect();
-        if let &[a, b, c] = corners.as_slice() {
-            sketch.path(Role::Secondary, circle([a, b, c])).solid();
-        }
+    for corners in triangles(&delaunay) {
+        sketch.path(Role::Secondary, circle(corners)).solid();
     }
     for edge in delaunay.edges() {
         let ends = edge.half_edges().map(|h| delaunay.point(delaunay.origin(h)));
         sketch.path(Role::Main, ends).solid();
     }
-    for site in SITES {
-        sketch.point(Role::Plain, site);
-    }
+    dots(&mut sketch, Role::Plain, SITES);
     let options = FigureOptions::new("A Delaunay triangulation and its empty circles").id_prefix("lab-07-circles");
     Ok(sketch.figure(&options)?.to_svg())
 }
