@@ -177,6 +177,14 @@ impl Case {
         self
     }
 
+    /// Adds calls, each made on the structure as it is now, and shown after it.
+    #[must_use]
+    pub fn each_alone(mut self, calls: impl IntoIterator<Item = Step>) -> Self {
+        self.steps.push(Step::Save);
+        self.steps.extend(calls.into_iter().flat_map(|call| [call, Step::Dump, Step::Restore]));
+        self
+    }
+
     /// The shortest case with the same structure before step `at` and the same step `at`, and the number of the
     /// step in it: what was done and undone by `save` and `restore` is left out, and so are calls that only read
     /// (no dump follows them), and other dumps than the one just before. A picture shows what all calls have made. If a

@@ -268,17 +268,13 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("grid_outside", small_grid(), "h1 h41"),
     ];
     for (name, structure) in structures {
-        let mut case =
-            Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
+        let case = Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump);
         let pairs = half_edges(structure).flat_map(|h1| half_edges(structure).map(move |h2| (h1, h2)));
         let mut asked: Vec<_> =
             pairs.map(|(h1, h2)| (may_split_face(structure, h1, h2) == Legal::Yes, h1, h2)).collect();
         // Those to be refused first: as long as the structure stays the same, it is printed once.
         asked.sort_unstable();
-        for (_, h1, h2) in asked {
-            case.steps.extend([Step::call("split_face", [h1, h2]), Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        cases.push(case.each_alone(asked.into_iter().map(|(_, h1, h2)| Step::call("split_face", [h1, h2]))));
     }
     cases
 }
@@ -296,19 +292,12 @@ fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("grid", small_grid(), "h1200"),
     ];
     for (i, start) in rounding().into_iter().enumerate() {
-        let mut case = Case::new(format!("split_in_half.rounding.{i}"), start).step(Step::Dump).step(Step::Save);
-        for h in 0..3 {
-            case.steps.extend([Step::call("split_in_half", [format!("h{}", 2 * h)]), Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        let case = Case::new(format!("split_in_half.rounding.{i}"), start).step(Step::Dump);
+        cases.push(case.each_alone(["h0", "h2", "h4"].map(|h| Step::call("split_in_half", [h]))));
     }
     for (name, structure) in structures {
-        let mut case =
-            Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
-        for h in half_edges(structure) {
-            case.steps.extend([Step::call("split_in_half", [h]), Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        let case = Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump);
+        cases.push(case.each_alone(half_edges(structure).map(|h| Step::call("split_in_half", [h]))));
     }
     cases
 }

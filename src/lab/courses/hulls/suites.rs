@@ -225,15 +225,12 @@ fn pair_case(name: &str, function: &str, pair: &[Vec<Point>]) -> Case {
     let mut case = Case::new(name, polygons(pair)).step(Step::Dump);
     let (n, m) = (pair[0].len(), pair[1].len());
     let some = |count: usize| (0..count).step_by(count.div_ceil(3));
+    let calls = some(n).flat_map(|a| some(m).map(move |b| (a, n + b)));
+    let calls = calls.map(|(a, b)| Step::call(function, [format!("c{a}"), format!("c{b}")]));
     if function == "merge" {
-        case = case.step(Step::Save);
+        return case.each_alone(calls);
     }
-    for (a, b) in some(n).flat_map(|a| some(m).map(move |b| (a, n + b))) {
-        case = case.step(Step::call(function, [format!("c{a}"), format!("c{b}")]));
-        if function == "merge" {
-            case = case.step(Step::Dump).step(Step::Restore);
-        }
-    }
+    case.steps.extend(calls);
     case
 }
 

@@ -208,15 +208,12 @@ fn case(function: &str, given: &Given) -> Case {
         "dihedral_angle" | "merge_faces" => surface.half_edges().map(|h| h.to_string()).collect(),
         _ => return once(case, function),
     };
+    let some = elements.iter().step_by(elements.len().div_ceil(ELEMENTS));
+    let calls = some.map(|element| Step::call(function, [element]));
     if function == "merge_faces" {
-        case = case.step(Step::Save);
+        return case.each_alone(calls);
     }
-    for element in elements.iter().step_by(elements.len().div_ceil(ELEMENTS)) {
-        case = case.step(Step::call(function, [element]));
-        if function == "merge_faces" {
-            case = case.step(Step::Dump).step(Step::Restore);
-        }
-    }
+    case.steps.extend(calls);
     case
 }
 

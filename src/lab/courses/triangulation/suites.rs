@@ -268,21 +268,15 @@ fn split_cases() -> Vec<Case> {
         [("four", regular(4)), ("five", regular(5)), ("six", regular(6)), ("blind", blind(5)), ("seven", regular(7))]
     {
         let n = polygon.len();
-        let mut case = shown(format!("split.all.{name}"), start(&polygon)).step(Step::Save);
+        let case = shown(format!("split.all.{name}"), start(&polygon));
         let mut pairs: Vec<(usize, usize)> = (0..n * n).map(|k| (k / n, k % n)).collect();
         // Those to be refused first: as long as nothing changes, it is printed once.
         pairs.sort_by_key(|&(u, v)| !(u == v || (u + 1) % n == v || (v + 1) % n == u));
-        for (u, v) in pairs {
-            let call = Step::call("split", [format!("c{u}"), format!("c{v}")]);
-            case.steps.extend([call, Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        let call = |(u, v)| Step::call("split", [format!("c{u}"), format!("c{v}")]);
+        cases.push(case.each_alone(pairs.into_iter().map(call)));
     }
-    let two = shown("split.two".to_owned(), mixed()).step(Step::Save);
-    let pairs = ["c3 c0", "c0 c3", "c5 c6", "c6 c5", "c2 c4"];
-    cases.push(pairs.iter().fold(two, |case, pair| {
-        case.step(Step::of_line(&format!("split {pair}"))).step(Step::Dump).step(Step::Restore)
-    }));
+    let pairs = ["c3 c0", "c0 c3", "c5 c6", "c6 c5", "c2 c4"].map(|pair| Step::of_line(&format!("split {pair}")));
+    cases.push(shown("split.two".to_owned(), mixed()).each_alone(pairs));
     let convex_300 = shown("split.convex".to_owned(), convex(300));
     cases.push(convex_300.step(Step::of_line("split c299 c256")).step(Step::Dump));
     let large = shown("split.large".to_owned(), convex(100_000));
