@@ -8,7 +8,29 @@
 //! Time plays no part: reads are counted, and are the same on every machine.
 
 use super::fault::{Fault, FaultKind, answered};
-use super::protocol::{Called, Case, CaseAnswer, Reply, Step, grouped};
+use super::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
+use std::fmt::Display;
+
+/// How many questions are asked.
+pub const QUESTIONS: usize = 10_000;
+
+/// Many questions for a function, which have so many reads together.
+#[must_use]
+pub fn step(function: &str, budget: u64) -> Step {
+    Step::Many { function: function.to_owned(), count: QUESTIONS, budget }
+}
+
+/// A case of a large structure: single questions for a function, then many.
+pub fn questions<T: Display>(
+    name: &str,
+    start: Start,
+    function: &str,
+    single: impl IntoIterator<Item = T>,
+    budget: u64,
+) -> Case {
+    let single = single.into_iter().map(|word| Step::call(function, [word]));
+    Case::new(name, start).step(Step::Changes).calls(single, &[]).step(step(function, budget))
+}
 
 /// A large structure, and what many questions about it should give.
 pub struct Large {

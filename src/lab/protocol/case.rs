@@ -177,12 +177,20 @@ impl Case {
         self
     }
 
+    /// Adds calls, each followed by these steps.
+    #[must_use]
+    pub fn calls(mut self, calls: impl IntoIterator<Item = Step>, after: &[Step]) -> Self {
+        for call in calls {
+            self.steps.push(call);
+            self.steps.extend_from_slice(after);
+        }
+        self
+    }
+
     /// Adds calls, each made on the structure as it is now, and shown after it.
     #[must_use]
-    pub fn each_alone(mut self, calls: impl IntoIterator<Item = Step>) -> Self {
-        self.steps.push(Step::Save);
-        self.steps.extend(calls.into_iter().flat_map(|call| [call, Step::Dump, Step::Restore]));
-        self
+    pub fn each_alone(self, calls: impl IntoIterator<Item = Step>) -> Self {
+        self.step(Step::Save).calls(calls, &[Step::Dump, Step::Restore])
     }
 
     /// The shortest case with the same structure before step `at` and the same step `at`, and the number of the

@@ -211,24 +211,23 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
     starts.push((format!("window{BLIND}"), table(blind(&window())), [5, 9, 24]));
     starts.push(("wheel".to_owned(), wheel(40), [3, 3, 9]));
     starts.push(("convex".to_owned(), convex(300), [2, 2, 4]));
+    let call = |number: usize| Step::call(function, [format!("{letter}{number}")]);
     for (start_name, start, [faces, vertices, half_edges]) in starts {
         let count = match letter {
             'f' => faces,
             'v' => vertices,
             _ => half_edges,
         };
-        let mut case = Case::new(format!("{name}.{start_name}"), start).step(Step::Dump);
-        case.steps.extend((0..count).map(|i| Step::call(function, [format!("{letter}{i}")])));
-        cases.push(case);
+        let case = Case::new(format!("{name}.{start_name}"), start).step(Step::Dump);
+        cases.push(case.calls((0..count).map(call), &[]));
     }
-    let mut grid = Case::new(format!("{name}.grid"), small_grid()).step(Step::Dump);
+    let grid = Case::new(format!("{name}.grid"), small_grid()).step(Step::Dump);
     let far = match letter {
         'f' => [0, 256, 257, 300],
         'v' => [255, 256, 257, 335],
         _ => [255, 256, 600, 1269],
     };
-    grid.steps.extend(far.map(|number| Step::call(function, [format!("{letter}{number}")])));
-    cases.push(grid);
+    cases.push(grid.calls(far.map(call), &[]));
     cases.push(costs::questions(name, function, letter));
     // The two ways to a destination are two: each must do without the pointers of the other.
     let without: Option<fn(&mut HalfEdgeRow)> = match function {

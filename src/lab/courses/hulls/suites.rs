@@ -222,16 +222,12 @@ fn tangent_suite(
 
 /// Two polygons, named by each of a few of their corners.
 fn pair_case(name: &str, function: &str, pair: &[Vec<Point>]) -> Case {
-    let mut case = Case::new(name, polygons(pair)).step(Step::Dump);
+    let case = Case::new(name, polygons(pair)).step(Step::Dump);
     let (n, m) = (pair[0].len(), pair[1].len());
     let some = |count: usize| (0..count).step_by(count.div_ceil(3));
     let calls = some(n).flat_map(|a| some(m).map(move |b| (a, n + b)));
     let calls = calls.map(|(a, b)| Step::call(function, [format!("c{a}"), format!("c{b}")]));
-    if function == "merge" {
-        return case.each_alone(calls);
-    }
-    case.steps.extend(calls);
-    case
+    if function == "merge" { case.each_alone(calls) } else { case.calls(calls, &[]) }
 }
 
 fn pair_suite(tests: &'static [&'static str], plan: &Plan) -> Suite {

@@ -15,9 +15,8 @@ const READS_OF_A_PORTAL: u64 = 60;
 
 /// Calls, each followed by a count of its reads.
 pub(super) fn with_reads(name: String, start: &Start, lines: impl IntoIterator<Item = String>) -> Case {
-    let mut case = Case::new(name, start.clone()).step(start.dump());
-    case.steps.extend(lines.into_iter().flat_map(|line| [Step::of_line(&line), Step::Reads]));
-    case
+    let calls = lines.into_iter().map(|line| Step::of_line(&line));
+    Case::new(name, start.clone()).step(start.dump()).calls(calls, &[Step::Reads])
 }
 
 /// What is wrong with the numbers of reads in a case.

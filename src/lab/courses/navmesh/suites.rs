@@ -154,9 +154,8 @@ fn meshes() -> Vec<(String, Start, Table)> {
 }
 
 fn case(name: String, start: &Start, lines: impl IntoIterator<Item = String>) -> Case {
-    let mut case = Case::new(name, start.clone()).step(start.dump());
-    case.steps.extend(lines.into_iter().map(|line| Step::of_line(&line)));
-    case
+    let calls = lines.into_iter().map(|line| Step::of_line(&line));
+    Case::new(name, start.clone()).step(start.dump()).calls(calls, &[])
 }
 
 fn all_neighbours(table: &Table) -> Vec<String> {

@@ -201,7 +201,7 @@ fn random(function: &str, seed: u64, count: usize) -> Vec<Case> {
 
 /// A function, asked for the elements of a surface: of a small one for all of them.
 fn case(function: &str, given: &Given) -> Case {
-    let mut case = Case::new(format!("{function}.{}", given.name), given.start.clone()).step(Step::Dump);
+    let case = Case::new(format!("{function}.{}", given.name), given.start.clone()).step(Step::Dump);
     let surface = &given.surface;
     let elements: Vec<String> = match function {
         "vertices_around" | "deficit_angle" => (0..surface.points.len()).map(|v| format!("v{v}")).collect(),
@@ -210,11 +210,7 @@ fn case(function: &str, given: &Given) -> Case {
     };
     let some = elements.iter().step_by(elements.len().div_ceil(ELEMENTS));
     let calls = some.map(|element| Step::call(function, [element]));
-    if function == "merge_faces" {
-        return case.each_alone(calls);
-    }
-    case.steps.extend(calls);
-    case
+    if function == "merge_faces" { case.each_alone(calls) } else { case.calls(calls, &[]) }
 }
 
 /// A function of the whole surface.

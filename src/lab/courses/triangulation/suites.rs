@@ -233,17 +233,14 @@ fn mixed() -> Start {
 }
 
 fn corner_cases() -> Vec<Case> {
+    let call = |c: usize| Step::call("corners_of", [format!("c{c}")]);
     let mut cases = Vec::new();
     for (name, polygon) in
         small().into_iter().filter(|(name, _)| ["square", "arrow", "pentagon", "comb"].contains(name))
     {
-        let mut case = shown(format!("corners_of.{name}"), start(&polygon));
-        case.steps.extend((0..polygon.len()).map(|c| Step::call("corners_of", [format!("c{c}")])));
-        cases.push(case);
+        cases.push(shown(format!("corners_of.{name}"), start(&polygon)).calls((0..polygon.len()).map(call), &[]));
     }
-    let mut case = shown("corners_of.two".to_owned(), mixed());
-    case.steps.extend((0..7).map(|c| Step::call("corners_of", [format!("c{c}")])));
-    cases.push(case);
+    cases.push(shown("corners_of.two".to_owned(), mixed()).calls((0..7).map(call), &[]));
     cases.push(shown("corners_of.convex".to_owned(), convex(300)).step(Step::call("corners_of", ["c256"])));
     cases
 }
@@ -280,9 +277,8 @@ fn split_cases() -> Vec<Case> {
     let convex_300 = shown("split.convex".to_owned(), convex(300));
     cases.push(convex_300.step(Step::of_line("split c299 c256")).step(Step::Dump));
     let large = shown("split.large".to_owned(), convex(100_000));
-    cases.push(["c65537 c90000", "c100 c50000"].iter().fold(large, |case, pair| {
-        case.step(Step::of_line(&format!("split {pair}"))).step(Step::Reads).step(Step::Changes)
-    }));
+    let far = ["split c65537 c90000", "split c100 c50000"].map(Step::of_line);
+    cases.push(large.calls(far, &[Step::Reads, Step::Changes]));
     cases
 }
 
@@ -310,13 +306,12 @@ fn reading_cases(word: &str) -> Vec<Case> {
 
 fn all_calls(word: &str, name: &str, polygon: &[[f64; 2]]) -> Case {
     let n = polygon.len();
-    let mut case = shown(format!("{word}.{name}"), start(polygon));
+    let case = shown(format!("{word}.{name}"), start(polygon));
     let corner = |c: usize| format!("c{c}");
     match word {
-        "is_ear" => case.steps.extend((0..n).map(|c| Step::call(word, [corner(c)]))),
-        _ => case.steps.extend((0..n * n).map(|k| Step::call(word, [corner(k / n), corner(k % n)]))),
+        "is_ear" => case.calls((0..n).map(|c| Step::call(word, [corner(c)])), &[]),
+        _ => case.calls((0..n * n).map(|k| Step::call(word, [corner(k / n), corner(k % n)])), &[]),
     }
-    case
 }
 
 fn soup_cases() -> Vec<Case> {
