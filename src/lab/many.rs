@@ -32,6 +32,13 @@ pub fn questions<T: Display>(
     Case::new(name, start).step(Step::Changes).calls(single, &[]).step(step(function, budget))
 }
 
+/// A case of a large structure: two calls are looked at closely, of the others only the reads are counted.
+pub fn looked_at(name: &str, start: Start, calls: impl IntoIterator<Item = Step>) -> Case {
+    let mut calls = calls.into_iter();
+    let case = Case::new(name, start).step(Step::Changes).calls(calls.by_ref().take(2), &[Step::Reads, Step::Changes]);
+    case.calls(calls, &[Step::Reads])
+}
+
 /// A large structure, and what many questions about it should give.
 pub struct Large {
     /// How many records it has.

@@ -118,10 +118,18 @@ impl fmt::Display for Content {
     }
 }
 
+impl Difference {
+    /// The name of the field with that of its owner: `h7.prev`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let owner = self.owner.map_or_else(String::new, |owner| format!("{owner}."));
+        format!("{owner}{}", self.field.word())
+    }
+}
+
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let owner = self.owner.map_or_else(String::new, |owner| format!("{owner}."));
-        write!(f, "{owner}{} is {}, expected {}", self.field.word(), self.found, self.expected)
+        write!(f, "{} is {}, expected {}", self.name(), self.found, self.expected)
     }
 }
 

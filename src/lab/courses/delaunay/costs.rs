@@ -38,14 +38,8 @@ pub(super) fn questions() -> Case {
 
 /// Flips of long diagonals of the large triangulation: two are looked at closely, of the others only the reads.
 pub(super) fn flips() -> Case {
-    let mut case = Case::new("flip.large", large()).step(Step::Changes);
-    for (i, cell) in [16_000, 11_000, 3_000, 100].into_iter().enumerate() {
-        case = case.step(Step::call("flip", [format!("h{}", 6 * cell + 2)])).step(Step::Reads);
-        if i < 2 {
-            case = case.step(Step::Changes);
-        }
-    }
-    case
+    let call = |cell| Step::call("flip", [format!("h{}", 6 * cell + 2)]);
+    many::looked_at("flip.large", large(), [16_000, 11_000, 3_000, 100].map(call))
 }
 
 /// Triangulations in which many flips are due.

@@ -68,13 +68,11 @@ impl Judge for Delaunay {
                 }
                 faults
             }
-            "flip" => {
-                let mut faults: Vec<Fault> = exchanges(case, answer).iter().flat_map(flip::judge).collect();
-                faults.extend(costs::judge(test, case, answer));
-                faults
-            }
-            _ => {
-                let mut faults = answers::judge(FUNCTIONS, case, answer);
+            name => {
+                let mut faults: Vec<Fault> = match name {
+                    "flip" => exchanges(case, answer).iter().flat_map(flip::judge).collect(),
+                    _ => answers::judge(FUNCTIONS, case, answer),
+                };
                 faults.extend(costs::judge(test, case, answer));
                 faults
             }

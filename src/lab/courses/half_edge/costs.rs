@@ -46,18 +46,11 @@ pub(super) fn questions(name: &str, function: &str, letter: char) -> Case {
 
 /// Splits in the large grid: two are looked at closely, of the others only the reads are counted.
 pub(super) fn splits(name: &str, function: &str) -> Case {
-    let mut case = Case::new(format!("{name}.large"), large_grid()).step(Step::Changes);
-    for (i, h) in AT.iter().enumerate() {
-        let words = match function {
-            "split_face" => vec![format!("h{h}"), format!("h{h}.next.next")],
-            _ => vec![format!("h{h}")],
-        };
-        case = case.step(Step::call(function, words)).step(Step::Reads);
-        if i < 2 {
-            case = case.step(Step::Changes);
-        }
-    }
-    case
+    let call = |h| match function {
+        "split_face" => Step::call(function, [format!("h{h}"), format!("h{h}.next.next")]),
+        _ => Step::call(function, [format!("h{h}")]),
+    };
+    many::looked_at(&format!("{name}.large"), large_grid(), AT.map(call))
 }
 
 /// What is wrong with the numbers of reads in a case.

@@ -6,7 +6,7 @@
 //! ```
 
 use crate::cases::large;
-use crate::many::{self, Large, QUESTIONS};
+use crate::many::{self, Large};
 use crate::protocol::{Case, Start, Structure};
 use std::sync::{Arc, OnceLock};
 
@@ -45,6 +45,7 @@ pub(super) fn questions() -> Case {
 mod tests {
     use super::*;
     use crate::checks::walks::star;
+    use crate::many::QUESTIONS;
     use dcel_kit::VertexId;
 
     #[test]
