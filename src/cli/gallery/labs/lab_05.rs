@@ -6,12 +6,7 @@ use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, SketchFilm};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
-
-/// The points of the handout's list.
-const POINTS: [[f64; 2]; 7] =
-    [[-250.0, -150.0], [0.0, -150.0], [250.0, -150.0], [250.0, 150.0], [0.0, 150.0], [-250.0, 150.0], [0.0, 0.0]];
-/// Its faces.
-const FACES: [&[u32]; 4] = [&[0, 1, 6], &[1, 2, 3, 6], &[3, 4, 6], &[6, 4, 5, 0]];
+use dcel_lab::cases::handouts::{LIST_FACES as FACES, LIST_POINTS as POINTS};
 
 fn handout() -> Made<Subdivision> {
     let points = POINTS.map(|[x, y]| Point { x, y }).to_vec();
