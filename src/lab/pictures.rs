@@ -98,7 +98,7 @@ impl Plain {
 
 /// Fails if a figure of the handouts shows anything else than a picture.
 #[cfg(test)]
-pub(crate) fn assert_shown(figure: &str, picture: &str) {
+pub fn assert_shown(figure: &str, picture: &str) {
     let file = format!("{}/../../figures/{figure}", env!("CARGO_MANIFEST_DIR"));
     let figure = std::fs::read_to_string(file).unwrap();
     let comparison = compare(picture, &figure, &Options::new()).unwrap();

@@ -110,7 +110,7 @@ pub(super) fn print(rows: &[Row], out: &mut Output) -> io::Result<()> {
     }
     // A search over a surface enters no faces.
     lines.iter_mut().filter(|_| !is_map).for_each(|line| line[6].clear());
-    Ok(table(out, &lines)?)
+    table(out, &lines)
 }
 
 /// The answer with these paths; if there are none, what lies apart. Agents on a floor in space have no radius.
