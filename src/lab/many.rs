@@ -7,6 +7,7 @@
 //!
 //! Time plays no part: reads are counted, and are the same on every machine.
 
+use super::answers::{self, Function};
 use super::fault::{Fault, FaultKind, answered};
 use super::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
 use std::fmt::Display;
@@ -68,9 +69,18 @@ pub fn too_many_reads(
     Fault::new(test, FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)
 }
 
-/// What is wrong with the answers to many questions in a large structure.
-pub fn judge(test: &'static str, large: &Large, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    answered(case, answer).filter_map(|(step, asked, reply)| fault(test, large, step, asked, reply)).collect()
+/// What is wrong with the single answers of a case, and with those to its many questions.
+pub fn judge(
+    functions: &[Function],
+    test: &'static str,
+    large: &Large,
+    case: &Case,
+    answer: &CaseAnswer,
+) -> Vec<Fault> {
+    let mut faults = answers::judge(functions, case, answer);
+    let many = answered(case, answer).filter_map(|(step, asked, reply)| fault(test, large, step, asked, reply));
+    faults.extend(many);
+    faults
 }
 
 fn fault(test: &'static str, large: &Large, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {

@@ -132,17 +132,13 @@ fn random(name: &str, case: CaseOf, seed: u64, count: usize) -> Vec<Case> {
 }
 
 /// Half of the triangulations are told by points and corners, the others by records whose numbers mean nothing.
-fn start(mesh: &Mesh, order: &mut Random) -> (Start, Option<Table>) {
-    if order.below(2) == 0 {
-        return (mesh.start(), None);
-    }
-    let table = renumbered(&mesh.table(), order);
-    (Start::table(table.clone()), Some(table))
+fn start(mesh: &Mesh, order: &mut Random) -> Start {
+    if order.below(2) == 0 { mesh.start() } else { Start::table(renumbered(&mesh.table(), order)) }
 }
 
 /// Questions about half-edges: in a small triangulation about all of them.
 fn asks(function: &str, mesh: &Mesh, order: &mut Random) -> Case {
-    let (start, _) = start(mesh, order);
+    let start = start(mesh, order);
     let count = mesh.table().half_edges.len();
     ask(Case::new(format!("{function}.{}", mesh.name), start), function, count)
 }
@@ -176,7 +172,7 @@ fn flips_of(name: String, start: Start, table: &Table) -> Case {
 
 /// One call for the whole triangulation.
 fn whole(function: &str, mesh: &Mesh, order: &mut Random) -> Case {
-    let (start, _) = start(mesh, order);
+    let start = start(mesh, order);
     let case = Case::new(format!("{function}.{}", mesh.name), start).step(Step::Dump).step(Step::of_line(function));
     if function == "delaunify" { case.step(Step::Dump) } else { case }
 }

@@ -15,7 +15,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
 use crate::checks::walks::{BLIND, IN_THE_BLIND, blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Judge, Source, Suite, ToldBy};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::Element;
@@ -429,20 +429,17 @@ fn sequence_cases(
     let mut named: Vec<Case> = named.collect();
     named.push(costs::splits(name, if weights[1] == 0 { "split_face" } else { "split_in_half" }));
     let mut asked = Asked::fixed(named);
+    let cases = |seed: u64, stream: &str, count: usize, mix: Mix| -> Vec<Case> {
+        let mut numbers = Random::new(seed, name);
+        (0..count).map(|i| random(&format!("{name}.{stream}.{i}"), mix, &mut numbers)).collect()
+    };
     let (count, calls) = RANDOM;
-    let mut numbers = Random::new(plan.seed, name);
-    asked.extend((0..count).map(|i| Asked {
-        case: random(&format!("{name}.random.{i}"), Mix { calls, weights }, &mut numbers),
-        source: Source::Random,
-    }));
+    asked.extend(Asked::random(cases(plan.seed, "random", count, Mix { calls, weights })));
     if let Some(secret) = &plan.secret {
-        let mut numbers = Random::new(secret.seed, name);
         let weights =
             if weights[1] == 0 { weights } else { [secret.weight("split_face"), secret.weight("split_in_half")] };
-        asked.extend((0..secret.sequences).map(|i| Asked {
-            case: random(&format!("{name}.hidden.{i}"), Mix { calls: secret.calls, weights }, &mut numbers),
-            source: Source::Hidden,
-        }));
+        let mix = Mix { calls: secret.calls, weights };
+        asked.extend(Asked::hidden(cases(secret.seed, "hidden", secret.sequences, mix)));
     }
     asked
 }

@@ -110,11 +110,7 @@ impl Judge for Polyhedra {
                 let solid = picture::DRAWN.into_iter().find(|solid| case.name.ends_with(solid));
                 pictures::told_apart(PICTURE, case, answer, || picture::plain(solid.unwrap_or("cube")))
             }
-            LARGE => {
-                let mut faults = answers::judge(IN_LARGE, case, answer);
-                faults.extend(many::judge(LARGE, &costs::LARGE, case, answer));
-                faults
-            }
+            LARGE => many::judge(IN_LARGE, LARGE, &costs::LARGE, case, answer),
             _ => answers::judge(FUNCTIONS, case, answer),
         }
     }

@@ -54,15 +54,11 @@ impl Judge for VoronoiDiagrams {
     }
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-        if suite.name == LARGE {
-            let mut faults = answers::judge(IN_LARGE, case, answer);
-            faults.extend(many::judge(LARGE, &costs::LARGE, case, answer));
-            return faults;
+        match suite.name {
+            LARGE => many::judge(IN_LARGE, LARGE, &costs::LARGE, case, answer),
+            PICTURE => pictures::told_apart(PICTURE, case, answer, picture::plain),
+            _ => answers::judge(FUNCTIONS, case, answer),
         }
-        if suite.name != PICTURE {
-            return answers::judge(FUNCTIONS, case, answer);
-        }
-        pictures::told_apart(PICTURE, case, answer, picture::plain)
     }
 
     fn told_by(&self, test: &str) -> ToldBy {
@@ -125,14 +121,8 @@ fn fixed(function: &str) -> Vec<Case> {
     }
     let mut all: Vec<Case> = starts::fixed().iter().map(|given| case(function, given)).collect();
     if function == "dual" {
-        let others = [
-            polygon(&[[0., 0.], [4., 0.], [3., 3.]]),
-            polygon(&[[0., 0.]; 5]),
-            wheel(40),
-            convex(300),
-            grid(3, 2),
-            grid(20, 15),
-        ];
+        let triangle = [[0., 0.], [4., 0.], [3., 3.]];
+        let others = [polygon(&triangle), polygon(&[[0., 0.]; 5]), wheel(40), convex(300), grid(3, 2), grid(20, 15)];
         for (i, start) in others.into_iter().enumerate() {
             all.push(Case::new(format!("dual.other.{i}"), start).step(Step::Dump).step(Step::of_line("dual")));
         }
