@@ -3,6 +3,7 @@
 use super::answer::fields;
 use super::choice::{number, pair};
 use super::failure::say;
+use super::output::names;
 use super::results::{Moved, Results};
 use super::{Answer, Failure, Output};
 use dcel_kit::figure;
@@ -12,7 +13,6 @@ use dcel_kit::io::{
 };
 use dcel_kit::plane::{ArrangeOptions, Point, SegmentsError};
 use dcel_kit::topology::components;
-use std::fmt::Display;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -181,10 +181,6 @@ fn refused(soup: &SegmentSoup, error: LoadError) -> Failure {
         _ => Vec::new(),
     };
     Failure::from(error).with_notes(rest)
-}
-
-fn names<T: Display>(elements: impl Iterator<Item = T>) -> Vec<String> {
-    elements.map(|element| element.to_string()).collect()
 }
 
 /// `3: e4 e7 e9`, of a long list the first ones.

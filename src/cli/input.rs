@@ -63,6 +63,15 @@ pub(crate) enum Opened {
     Misfit(LoadError),
 }
 
+impl Opened {
+    fn subject(self) -> Result<Subject, Failure> {
+        match self {
+            Self::Subject(subject) => Ok(*subject),
+            Self::Misfit(error) => Err(error.into()),
+        }
+    }
+}
+
 impl InputOptions {
     /// Whether polygons and segments are split where they meet.
     fn mends(&self) -> bool {
@@ -92,19 +101,13 @@ impl InputOptions {
 
     /// The same; unless `keep_tables`, a table must be a subdivision of the plane and becomes one.
     pub(crate) fn open_as(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
-        match self.try_open(file, keep_tables)? {
-            Opened::Subject(subject) => Ok(*subject),
-            Opened::Misfit(error) => Err(error.into()),
-        }
+        self.try_open(file, keep_tables)?.subject()
     }
 
     /// The same for one of several files: each note says which it is about.
     pub(crate) fn open_one_of(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
         let source = source_name(file);
-        match self.load(file, keep_tables, &|note| say("note", format_args!("{source}: {note}")))? {
-            Opened::Subject(subject) => Ok(*subject),
-            Opened::Misfit(error) => Err(error.into()),
-        }
+        self.load(file, keep_tables, &|note| say("note", format_args!("{source}: {note}")))?.subject()
     }
 
     /// The same, for those who want to say more about a misfit.

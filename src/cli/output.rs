@@ -46,6 +46,11 @@ pub(crate) fn counts([vertices, edges, faces]: [usize; 3]) -> String {
     format!("{vertices}, {edges}, {}", counted(faces, "face", "faces"))
 }
 
+/// Elements, each as it is written.
+pub(crate) fn names<T: ToString>(elements: impl IntoIterator<Item = T>) -> Vec<String> {
+    elements.into_iter().map(|element| element.to_string()).collect()
+}
+
 /// The words of a text in lines of at most `width` characters, longer words alone.
 pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();

@@ -2,6 +2,7 @@
 
 use super::gallery::lesson::{self, LAB_STEPS, STATES_FILE};
 use super::gallery::{draw_all, write_all};
+use super::output::names;
 use super::{Answer, Failure, Output};
 use dcel_kit::ids::{FaceId, VertexId};
 use dcel_kit::plane::Subdivision;
@@ -48,8 +49,8 @@ fn lab(out: &mut Output) -> Result<bool, Failure> {
 
     writeln!(out, "\n   Walks round the faces, along next from half_edge(f):")?;
     for f in lab.faces() {
-        let half_edges = list(lab.incident_half_edges(f));
-        let vertices = list(lab.incident_vertices(f));
+        let half_edges = names(lab.incident_half_edges(f)).join(", ");
+        let vertices = names(lab.incident_vertices(f)).join(", ");
         writeln!(out, "   {f}: half-edges {half_edges}; vertices {vertices}")?;
     }
     let v = VertexId::new(6);
@@ -57,9 +58,9 @@ fn lab(out: &mut Output) -> Result<bool, Failure> {
     writeln!(
         out,
         "   half-edges {}; faces {}; vertices {}",
-        list(lab.outgoing_half_edges(v)),
-        list(lab.incident_faces(v)),
-        list(lab.adjacent_vertices(v))
+        names(lab.outgoing_half_edges(v)).join(", "),
+        names(lab.incident_faces(v)).join(", "),
+        names(lab.adjacent_vertices(v)).join(", ")
     )?;
     Ok(laws_hold)
 }
@@ -75,11 +76,11 @@ fn map(out: &mut Output) -> Result<bool, Failure> {
     let laws_hold = euler(out, map)?;
 
     let neighbours = states.neighbours("Tennessee");
-    writeln!(out, "   Tennessee borders {} states: {}.", neighbours.len(), list(&neighbours))?;
+    writeln!(out, "   Tennessee borders {} states: {}.", neighbours.len(), names(&neighbours).join(", "))?;
     let four = BTreeSet::from(["Arizona", "Colorado", "New Mexico", "Utah"]);
     for v in states.meeting_points(&four) {
         let around = map.incident_faces(v).map(|f: FaceId| states.name(f).unwrap_or("outside"));
-        writeln!(out, "   The Four Corners: {v}, degree {}: {}.", map.degree(v), list(around))?;
+        writeln!(out, "   The Four Corners: {v}, degree {}: {}.", map.degree(v), names(around).join(", "))?;
     }
     Ok(laws_hold)
 }
@@ -104,8 +105,4 @@ fn euler(out: &mut Output, s: &Subdivision) -> Result<bool, Failure> {
         counts.components.len()
     )?;
     Ok(faults == 0 && counts.euler() == expected)
-}
-
-fn list<T: std::fmt::Display>(items: impl IntoIterator<Item = T>) -> String {
-    items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")
 }

@@ -3,6 +3,7 @@
 use super::answer::{fields, tell};
 use super::failure::say;
 use super::input::{InputOptions, Opened};
+use super::output::names;
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::VertexId;
@@ -140,10 +141,6 @@ fn geometry(subject: &mut Subject, unchecked: &mut Vec<String>) -> Vec<GeometryV
             }
         },
     }
-}
-
-fn names<T: ToString>(elements: impl IntoIterator<Item = T>) -> Vec<String> {
-    elements.into_iter().map(|element| element.to_string()).collect()
 }
 
 impl Fault {

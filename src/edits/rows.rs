@@ -53,15 +53,37 @@ macro_rules! read {
     };
 }
 
-/// The rows as statics with their words as names, and the table of all.
+/// An edit as a column of a row has it: it reads the arguments, and is made.
+macro_rules! edit {
+    ($list:tt |$s:ident, $log:ident| $edit:expr) => {
+        |$s, arguments: &mut Arguments<'_>, $log| {
+            read!(arguments $list);
+            $edit.map(Returned::of).map_err(EditError::new)
+        }
+    };
+}
+
+/// The row with one more column.
+macro_rules! with {
+    ($row:ident kernel $($edit:tt)*) => {
+        $row.on_kernel(edit!($($edit)*))
+    };
+    ($row:ident plane $($edit:tt)*) => {
+        $row.on_plane(edit!($($edit)*))
+    };
+    ($row:ident solid $($edit:tt)*) => {{
+        #[cfg(feature = "solid")]
+        let $row = $row.on_solid(edit!($($edit)*));
+        $row
+    }};
+}
+
+/// The rows as statics with their words as names, and the table of all. A row says its edit once for all columns in which
+/// it is written alike.
 macro_rules! rows {
     ($(
         $word:ident $list:tt -> [ $($gives:ident),* ] $help:literal;
-        {
-            $(kernel |$d:ident, $d_log:ident| $kernel:expr;)?
-            $(plane |$s:ident, $s_log:ident| $plane:expr;)?
-            $(solid |$p:ident, $p_log:ident| $solid:expr;)?
-        }
+        { $($($column:ident)+ |$s:ident, $log:ident| $edit:expr;)+ }
     )*) => {
         $(
             #[doc = $help]
@@ -73,24 +95,10 @@ macro_rules! rows {
                     &[$(gives::$gives),*],
                     $help,
                 );
-                $(#[allow(unused_variables)] // of a row that takes nothing
-                let row = row.on_kernel(|$d, arguments: &mut Arguments<'_>, $d_log| {
-                    read!(arguments $list);
-                    $kernel.map(Returned::of).map_err(EditError::new)
-                });)?
-                $(#[allow(unused_variables)] // of a row that takes nothing
-                let row = row.on_plane(|$s, arguments: &mut Arguments<'_>, $s_log| {
-                    read!(arguments $list);
-                    $plane.map(Returned::of).map_err(EditError::new)
-                });)?
-                $(
-                    #[cfg(feature = "solid")]
+                $($(
                     #[allow(unused_variables)] // of a row that takes nothing
-                    let row = row.on_solid(|$p, arguments: &mut Arguments<'_>, $p_log| {
-                        read!(arguments $list);
-                        $solid.map(Returned::of).map_err(EditError::new)
-                    });
-                )?
+                    let row = with!(row $column $list |$s, $log| $edit);
+                )+)+
                 row
             };
         )*
@@ -103,22 +111,18 @@ macro_rules! rows {
 rows! {
     split_face(a: half_edge, b: half_edge) -> [half_edge, face]
         "Split a face by a new edge from the origin of A to the origin of B"; {
-        kernel |d, log| d.split_face_with(a, b, log);
-        plane |s, log| s.split_face_with(a, b, log);
-        solid |p, log| p.split_face_with(a, b, log);
+        kernel plane solid |s, log| s.split_face_with(a, b, log);
     }
 
     split_in_half(a: half_edge) -> [vertex, half_edge]
         "Split an edge by a new vertex in its middle"; {
-        plane |s, log| s.split_in_half_with(a, log);
-        solid |p, log| p.split_in_half_with(a, log);
+        plane solid |s, log| s.split_in_half_with(a, log);
     }
 
     split_edge(a: half_edge, at: place) -> [vertex, half_edge]
         "Split an edge by a new vertex"; {
         kernel |d, log| { let _ = at; d.split_edge_with(a, log) };
-        plane |s, log| s.split_edge_with(a, at.into(), log);
-        solid |p, log| p.split_edge_with(a, at.into(), log);
+        plane solid |s, log| s.split_edge_with(a, at.into(), log);
     }
 
     split_vertex(a: half_edge, b: half_edge) -> [half_edge, vertex]
@@ -133,16 +137,12 @@ rows! {
 
     join_faces(a: half_edge) -> [face_gone]
         "Join the faces on both sides of an edge; the edge goes"; {
-        kernel |d, log| d.join_faces_with(a, log);
-        plane |s, log| s.join_faces_with(a, log);
-        solid |p, log| p.join_faces_with(a, log);
+        kernel plane solid |s, log| s.join_faces_with(a, log);
     }
 
     join_edges(a: half_edge) -> [vertex_gone]
         "Join an edge with the one after it; the vertex between them goes"; {
-        kernel |d, log| d.join_edges_with(a, log);
-        plane |s, log| s.join_edges_with(a, log);
-        solid |p, log| p.join_edges_with(a, log);
+        kernel plane solid |s, log| s.join_edges_with(a, log);
     }
 
     join_vertices(a: half_edge) -> [vertex_gone]
@@ -152,15 +152,12 @@ rows! {
 
     collapse_edge(a: half_edge) -> [vertex_gone]
         "Join the two ends of an edge if the surface stays one; two-sided faces go, too"; {
-        kernel |d, log| d.collapse_edge_with(a, log);
-        solid |p, log| p.collapse_edge_with(a, log);
+        kernel solid |s, log| s.collapse_edge_with(a, log);
     }
 
     flip_edge(a: half_edge) -> []
         "Turn an edge: both its ends move on to the next corner, counter-clockwise"; {
-        kernel |d, log| d.flip_edge_with(a, log);
-        plane |s, log| s.flip_edge_with(a, log);
-        solid |p, log| p.flip_edge_with(a, log);
+        kernel plane solid |s, log| s.flip_edge_with(a, log);
     }
 
     insert_vertex(at: place) -> [vertex]
@@ -195,8 +192,7 @@ rows! {
 
     remove_vertex(v: vertex) -> [face_gone]
         "Remove a vertex with its edges, in space with its faces"; {
-        plane |s, log| s.remove_vertex_with(v, log);
-        solid |p, log| p.remove_vertex_with(v, log);
+        plane solid |s, log| s.remove_vertex_with(v, log);
     }
 
     add_vertex(at: place) -> [vertex]
@@ -251,8 +247,7 @@ rows! {
 
     set_point(v: vertex, at: place) -> []
         "Move a vertex with its edges"; {
-        plane |s, log| s.set_point_with(v, at.into(), log);
-        solid |p, log| p.set_point_with(v, at.into(), log);
+        plane solid |s, log| s.set_point_with(v, at.into(), log);
     }
 
     move_vertex(v: vertex, d: place) -> []
@@ -275,20 +270,17 @@ rows! {
 
     scale_by(s: number) -> []
         "Make everything larger by a factor, seen from the origin"; {
-        plane |p, log| p.transform_with(&Affine::scaling(s), log);
-        solid |p, log| p.transform_with(&Affine::scaling(s), log);
+        plane solid |p, log| p.transform_with(&Affine::scaling(s), log);
     }
 
     reflect_x() -> []
         "Mirror everything: x becomes -x"; {
-        plane |s, log| s.transform_with(&Affine::reflection(0), log);
-        solid |p, log| p.transform_with(&Affine::reflection(0), log);
+        plane solid |s, log| s.transform_with(&Affine::reflection(0), log);
     }
 
     quarter_turn() -> []
         "Turn everything by a right angle, counter-clockwise, in space about the z axis"; {
-        plane |s, log| s.transform_with(&Affine::quarter_turn(), log);
-        solid |p, log| p.transform_with(&Affine::quarter_turn(), log);
+        plane solid |s, log| s.transform_with(&Affine::quarter_turn(), log);
     }
 }
 

@@ -126,16 +126,11 @@ pub struct Grader {
     sandbox: Sandbox,
     toolchain: Result<Toolchain, String>,
     work_folders: WorkFolders,
-    build: Limits,
+    options: GradeOptions,
     workers: usize,
     cache: Option<Cache>,
     /// The judge itself and the compiler, for the keys of the cache.
     judge: String,
-    scan: bool,
-    again: bool,
-    similar_from: u8,
-    shard: Option<(usize, usize)>,
-    stop: Stop,
     /// What is asked, and by which plan.
     suites: Mutex<Option<(Plan, Arc<Vec<Suite>>)>>,
 }
@@ -167,24 +162,9 @@ impl Grader {
         };
         let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let workers = options.workers.map_or_else(cores, NonZeroUsize::get);
-        let GradeOptions { build, scan, again, similar_from, shard, .. } = *options;
-        let stop = options.stop.clone();
-        Ok(Self {
-            lab,
-            sandbox,
-            toolchain,
-            work_folders,
-            build,
-            workers,
-            cache,
-            judge,
-            scan,
-            again,
-            similar_from,
-            shard,
-            stop,
-            suites: Mutex::default(),
-        })
+        let options = options.clone();
+        let suites = Mutex::default();
+        Ok(Self { lab, sandbox, toolchain, work_folders, options, workers, cache, judge, suites })
     }
 
     /// The barriers that stand, and those that are missing.
@@ -234,7 +214,7 @@ impl Grader {
     /// failure is not that submission's: the class is ended ([`Outcome::Fault`]), and no report tells of it.
     pub fn grade_all(&self, submissions: &[Submission], plan: &Plan, mut done: impl FnMut(usize, Report)) -> Outcome {
         let mut jobs = self.jobs(submissions);
-        if let Some((part, parts)) = self.shard {
+        if let Some((part, parts)) = self.options.shard {
             jobs = jobs.into_iter().skip(part).step_by(parts.max(1)).collect();
         }
         let next = AtomicUsize::new(0);
@@ -245,7 +225,7 @@ impl Grader {
             for _ in 0..self.workers.min(jobs.len()) {
                 let (send, jobs, next, fault) = (send.clone(), &jobs, &next, &fault);
                 scope.spawn(move || {
-                    let go_on = || !self.stop.is_wished() && lock(fault).is_none();
+                    let go_on = || !self.options.stop.is_wished() && lock(fault).is_none();
                     while let Some(job) = go_on().then(|| jobs.get(next.fetch_add(1, Ordering::Relaxed))).flatten() {
                         let Some(job) = lock(job).take() else { continue };
                         self.grade_job(job, submissions, plan, fault, &send);
@@ -300,7 +280,7 @@ impl Grader {
                 }
             }
         }
-        let alike = alike(&prints.iter().map(Option::as_ref).collect::<Vec<_>>(), self.similar_from);
+        let alike = alike(&prints.iter().map(Option::as_ref).collect::<Vec<_>>(), self.options.similar_from);
         for (place, job) in jobs.iter_mut().enumerate() {
             let together: Vec<usize> = job.who.iter().map(|extras| extras.place).collect();
             for extras in &mut job.who {
@@ -337,7 +317,7 @@ impl Grader {
                 (Some(first), ..) => first.clone(),
                 (None, Some(intake), _) => {
                     let report = self.grade_intake(intake, plan);
-                    if report.verdict == Verdict::GraderFault && !self.stop.is_wished() {
+                    if report.verdict == Verdict::GraderFault && !self.options.stop.is_wished() {
                         let mut fault = lock(fault);
                         *fault = fault.take().or_else(|| self.strikes_all(plan));
                         if fault.is_some() {
@@ -350,7 +330,7 @@ impl Grader {
                 (None, None, None) => return,
             };
             // What was ended on the way is no verdict.
-            if self.stop.is_wished() {
+            if self.options.stop.is_wished() {
                 return;
             }
             // A fault of the grader may not befall the next one.
@@ -371,7 +351,7 @@ impl Grader {
         let given = manifest.graded.iter().map(|path| Some((path.clone(), files.get(path)?.to_owned())));
         let intake = Intake { graded: given.collect::<Option<_>>()?, optional: Vec::new(), notes: Vec::new() };
         let report = self.grade_new(&intake, plan);
-        let failed = report.verdict == Verdict::GraderFault && !self.stop.is_wished();
+        let failed = report.verdict == Verdict::GraderFault && !self.options.stop.is_wished();
         let first = report.tests.iter().find(|test| test.verdict == Verdict::GraderFault);
         let why = report.message.or_else(|| first.map(|test| test.message.clone()));
         failed.then(|| why.unwrap_or_else(|| "no words".to_owned()))
@@ -385,11 +365,11 @@ impl Grader {
     /// The report of an earlier run, or a new one.
     fn grade_intake(&self, intake: &Intake, plan: &Plan) -> Report {
         let keeps = self.cache.as_ref().map(|cache| (cache, self.key(intake, plan)));
-        if let Some(report) = keeps.as_ref().filter(|_| !self.again).and_then(|(cache, key)| cache.get(key)) {
+        if let Some(report) = keeps.as_ref().filter(|_| !self.options.again).and_then(|(cache, key)| cache.get(key)) {
             return report;
         }
         let report = self.grade_new(intake, plan);
-        if let Some((cache, key)) = keeps.filter(|_| !self.stop.is_wished()) {
+        if let Some((cache, key)) = keeps.filter(|_| !self.options.stop.is_wished()) {
             cache.put(key, &report);
         }
         report
@@ -397,7 +377,7 @@ impl Grader {
 
     fn grade_new(&self, intake: &Intake, plan: &Plan) -> Report {
         let graded = catch_unwind(AssertUnwindSafe(|| {
-            if self.scan
+            if self.options.scan
                 && let Err(error) = scan_all(intake)
             {
                 return self.stopped(plan, error.verdict(), error.to_string());
@@ -412,7 +392,7 @@ impl Grader {
     }
 
     fn key(&self, intake: &Intake, plan: &Plan) -> Key {
-        let Self { lab, build, scan, judge, .. } = self;
+        let Self { lab, judge, options: GradeOptions { build, scan, .. }, .. } = self;
         let limits = &lab.manifest.limits;
         // The lab's files too: while it is being written its version stays the same.
         let files: Vec<_> = lab.files.iter().collect();
@@ -437,7 +417,7 @@ impl Grader {
             Ok(tree) => tree,
             Err(error) => return fault(format!("no room for the submission: {error}")),
         };
-        let report = self.judge_built(build(&tree, toolchain, self.build, &*resident), &resident, plan);
+        let report = self.judge_built(build(&tree, toolchain, self.options.build, &*resident), &resident, plan);
         // The room goes last: nothing may run that still writes there.
         if resident.leave() { report } else { fault("something that it started could not be ended".to_owned()) }
     }

@@ -32,8 +32,7 @@ pub(super) struct Calls {
 /// The shortest condition of one or two features that holds in all failing and in no passing calls, as a set of
 /// features. Of several, the one whose features come first in the vocabulary.
 pub(super) fn shortest(calls: &Calls) -> Option<u128> {
-    let common = calls.failing.iter().fold(u128::MAX, |all, call| all & call);
-    let bits: Vec<u128> = (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| common & bit != 0).collect();
+    let bits = common(calls);
     let enough = |[failing, passing]: [usize; 2]| calls.failing.len() >= failing && calls.passing.len() >= passing;
     let separates = |condition: u128| !calls.passing.iter().any(|call| call & condition == condition);
     if !enough(ONE) {
@@ -53,9 +52,8 @@ pub(super) fn shortest(calls: &Calls) -> Option<u128> {
 /// The feature that all failing calls have and the fewest others, at most half of them; with its share of the others.
 /// For calls that no short condition tells apart.
 pub(super) fn necessary(calls: &Calls) -> Option<(u128, usize)> {
-    let common = calls.failing.iter().fold(u128::MAX, |all, call| all & call);
     let with = |bit: u128| calls.passing.iter().filter(|&&call| call & bit != 0).count();
-    let bits: Vec<u128> = (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| common & bit != 0).collect();
+    let bits = common(calls);
     let (bit, others) = bits.iter().map(|&bit| (bit, with(bit))).rev().min_by_key(|&(_, others)| others)?;
     // By chance each call has the feature as often as the others have it; one in so many features is tried.
     let share = others as f64 / calls.passing.len().max(1) as f64;
@@ -66,9 +64,8 @@ pub(super) fn necessary(calls: &Calls) -> Option<(u128, usize)> {
 
 /// The sentence about a feature that [`necessary`] has found.
 pub(super) fn necessary_sentence((bit, others): (u128, usize), calls: &Calls, vocabulary: &[Feature]) -> String {
-    let clauses: Vec<&str> = of(bit, vocabulary).map(|feature| feature.clause).collect();
     let (failing, passing) = (calls.failing.len(), calls.passing.len());
-    let clause = clauses.join(" and ");
+    let clause = clauses(bit, vocabulary);
     format!(
         "It fails only where {clause}: in {failing} of those {} calls, and in none of the {} others.",
         failing + others,
@@ -84,12 +81,22 @@ fn choices(a: usize, b: usize) -> u128 {
 
 /// The sentence about a condition that [`shortest`] has found.
 pub(super) fn sentence(condition: u128, calls: &Calls, vocabulary: &[Feature]) -> String {
-    let clauses: Vec<&str> = of(condition, vocabulary).map(|feature| feature.clause).collect();
     let others = match calls.passing.len() {
         1 => "not in the other one".to_owned(),
         others => format!("in none of the {others} others"),
     };
-    format!("It fails in all {} calls where {}, and {others}.", calls.failing.len(), clauses.join(" and "))
+    format!("It fails in all {} calls where {}, and {others}.", calls.failing.len(), clauses(condition, vocabulary))
+}
+
+/// What all failing calls have in common, each feature by its bit.
+fn common(calls: &Calls) -> Vec<u128> {
+    let common = calls.failing.iter().fold(u128::MAX, |all, call| all & call);
+    (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| common & bit != 0).collect()
+}
+
+/// The clauses of some features.
+fn clauses(set: u128, vocabulary: &[Feature]) -> String {
+    of(set, vocabulary).map(|feature| feature.clause).collect::<Vec<_>>().join(" and ")
 }
 
 pub(super) fn of(set: u128, vocabulary: &[Feature]) -> impl Iterator<Item = &Feature> {

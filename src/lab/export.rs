@@ -226,7 +226,7 @@ fn kit_files(kit: &Kit, sources: Sources) -> io::Result<BTreeMap<String, Packed>
             let packed = |(path, text): (String, &str)| (format!("kit/{path}"), Packed::from(text.to_owned()));
             files.extend(sources.into_iter().map(packed));
         }
-        Kit::Path(checkout) => checkout_files(checkout, "kit", &mut files)?,
+        Kit::Path(checkout) => packed_tree(checkout, "kit", &is_source, &mut files)?,
         Kit::Git(_) | Kit::Version(_) => {}
     }
     Ok(files)
@@ -249,17 +249,27 @@ pub fn zipped(files: &BTreeMap<String, Packed>) -> io::Result<Vec<u8>> {
     Ok(archive.finish()?.into_inner())
 }
 
-/// The files of a checkout from which its programs are built.
-fn checkout_files(dir: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io::Result<()> {
+/// Whether something of this name in a checkout may be what its programs are built from.
+fn is_source(name: &str) -> bool {
+    !name.starts_with('.') && !LEFT_OUT.contains(&name)
+}
+
+/// The files of a folder and of those in it, as far as they are taken.
+pub(super) fn packed_tree(
+    dir: &Path,
+    prefix: &str,
+    takes: &dyn Fn(&str) -> bool,
+    files: &mut BTreeMap<String, Packed>,
+) -> io::Result<()> {
     for entry in std::fs::read_dir(dir)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        if name.starts_with('.') || LEFT_OUT.contains(&name.as_str()) {
+        if !takes(&name) {
             continue;
         }
         let path = format!("{prefix}/{name}");
         if entry.file_type()?.is_dir() {
-            checkout_files(&entry.path(), &path, files)?;
+            packed_tree(&entry.path(), &path, takes, files)?;
         } else {
             files.insert(path, Packed { bytes: std::fs::read(entry.path())?, executable: false });
         }

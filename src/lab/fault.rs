@@ -121,6 +121,16 @@ impl FaultKind {
         matches!(self, Self::DoesNotComeBack { .. } | Self::TooSlow { .. })
     }
 
+    /// That a call has not come to its end, as the promise that a fault of a hidden case breaks.
+    #[must_use]
+    pub fn unfinished(&self) -> Option<&'static str> {
+        match self {
+            Self::Crashed { .. } => Some("a call panics, or ends the program"),
+            Self::TimedOut | Self::OutOfMemory | Self::DoesNotComeBack { .. } => Some("a call does not come back"),
+            _ => None,
+        }
+    }
+
     /// The line of the student's file that the fault points to.
     #[must_use]
     pub fn place(&self) -> Option<&str> {
@@ -220,28 +230,14 @@ pub fn exchanges<'a>(case: &'a Case, answer: &'a CaseAnswer) -> Vec<Exchange<'a>
             Step::Restore => now = saved,
             _ => {
                 let Some(reply) = replies.next() else { break };
-                let structure_before = now;
                 match (asked, reply) {
-                    (Step::Call { function, arguments }, Reply::Called(called)) => {
-                        let known = Some((&*called.arguments, &called.end));
-                        out.push(Exchange {
-                            step,
-                            function,
-                            words: arguments,
-                            called: known,
-                            structure_before,
-                            structure_after: None,
-                        });
-                    }
-                    (Step::Call { function, arguments }, _) => {
-                        out.push(Exchange {
-                            step,
-                            function,
-                            words: arguments,
-                            called: None,
-                            structure_before,
-                            structure_after: None,
-                        });
+                    (Step::Call { function, arguments: words }, reply) => {
+                        let called = match reply {
+                            Reply::Called(called) => Some((&*called.arguments, &called.end)),
+                            _ => None,
+                        };
+                        let (structure_before, structure_after) = (now, None);
+                        out.push(Exchange { step, function, words, called, structure_before, structure_after });
                     }
                     (_, Reply::Dump(structure)) => {
                         now = Some(structure);

@@ -11,7 +11,7 @@ use super::judge::Feature;
 ///     Many "many" "the face has more than 8 half-edges",
 /// }
 /// let mut set = dcel_lab::FeatureSet::default();
-/// set.add(Word::Many as u32, true);
+/// set.add(Word::Many, true);
 /// assert_eq!((set.bits(), VOCABULARY[1].id), (0b10, "many"));
 /// ```
 #[macro_export]
@@ -21,6 +21,12 @@ macro_rules! features {
         #[derive(Clone, Copy)]
         #[repr(u32)]
         enum Word { $($name,)* }
+
+        impl From<Word> for u32 {
+            fn from(word: Word) -> Self {
+                word as Self
+            }
+        }
 
         /// All features, those that a reader would rather hear first.
         pub(crate) static VOCABULARY: &[$crate::judge::Feature] = &[$($crate::judge::Feature { id: $id, clause: $clause },)*];
@@ -50,12 +56,12 @@ pub struct FeatureSet(u128);
 
 impl FeatureSet {
     /// Adds a feature if it holds.
-    pub fn add(&mut self, bit: u32, holds: bool) {
-        self.0 |= u128::from(holds) << bit;
+    pub fn add(&mut self, bit: impl Into<u32>, holds: bool) {
+        self.0 |= u128::from(holds) << bit.into();
     }
 
     /// Adds one feature or the other.
-    pub fn either(&mut self, yes: u32, no: u32, holds: bool) {
+    pub fn either(&mut self, yes: impl Into<u32>, no: impl Into<u32>, holds: bool) {
         self.add(yes, holds);
         self.add(no, !holds);
     }
@@ -65,7 +71,7 @@ impl FeatureSet {
     pub fn more(&mut self, vocabulary: &[Feature], ids: &str, count: usize) {
         let (before, after) = ids.split_once('N').unwrap_or((ids, ""));
         let mut known = 0;
-        for (bit, feature) in (0..).zip(vocabulary) {
+        for (bit, feature) in (0_u32..).zip(vocabulary) {
             let than = feature.id.strip_prefix(before).and_then(|rest| rest.strip_suffix(after)?.parse::<usize>().ok());
             known += usize::from(than.is_some());
             self.add(bit, than.is_some_and(|than| count > than));

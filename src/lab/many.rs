@@ -7,8 +7,38 @@
 //!
 //! Time plays no part: reads are counted, and are the same on every machine.
 
+use super::answers::{self, Function};
 use super::fault::{Fault, FaultKind, answered};
-use super::protocol::{Called, Case, CaseAnswer, Reply, Step, grouped};
+use super::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
+use std::fmt::Display;
+
+/// How many questions are asked.
+pub const QUESTIONS: usize = 10_000;
+
+/// Many questions for a function, which have so many reads together.
+#[must_use]
+pub fn step(function: &str, budget: u64) -> Step {
+    Step::Many { function: function.to_owned(), count: QUESTIONS, budget }
+}
+
+/// A case of a large structure: single questions for a function, then many.
+pub fn questions<T: Display>(
+    name: &str,
+    start: Start,
+    function: &str,
+    single: impl IntoIterator<Item = T>,
+    budget: u64,
+) -> Case {
+    let single = single.into_iter().map(|word| Step::call(function, [word]));
+    Case::new(name, start).step(Step::Changes).calls(single, &[]).step(step(function, budget))
+}
+
+/// A case of a large structure: two calls are looked at closely, of the others only the reads are counted.
+pub fn looked_at(name: &str, start: Start, calls: impl IntoIterator<Item = Step>) -> Case {
+    let mut calls = calls.into_iter();
+    let case = Case::new(name, start).step(Step::Changes).calls(calls.by_ref().take(2), &[Step::Reads, Step::Changes]);
+    case.calls(calls, &[Step::Reads])
+}
 
 /// A large structure, and what many questions about it should give.
 pub struct Large {
@@ -39,9 +69,18 @@ pub fn too_many_reads(
     Fault::new(test, FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)
 }
 
-/// What is wrong with the answers to many questions in a large structure.
-pub fn judge(test: &'static str, large: &Large, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    answered(case, answer).filter_map(|(step, asked, reply)| fault(test, large, step, asked, reply)).collect()
+/// What is wrong with the single answers of a case, and with those to its many questions.
+pub fn judge(
+    functions: &[Function],
+    test: &'static str,
+    large: &Large,
+    case: &Case,
+    answer: &CaseAnswer,
+) -> Vec<Fault> {
+    let mut faults = answers::judge(functions, case, answer);
+    let many = answered(case, answer).filter_map(|(step, asked, reply)| fault(test, large, step, asked, reply));
+    faults.extend(many);
+    faults
 }
 
 fn fault(test: &'static str, large: &Large, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {

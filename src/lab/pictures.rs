@@ -95,3 +95,12 @@ impl Plain {
         self.0 + "</svg>\n"
     }
 }
+
+/// Fails if a figure of the handouts shows anything else than a picture.
+#[cfg(test)]
+pub fn assert_shown(figure: &str, picture: &str) {
+    let file = format!("{}/../../figures/{figure}", env!("CARGO_MANIFEST_DIR"));
+    let figure = std::fs::read_to_string(file).unwrap();
+    let comparison = compare(picture, &figure, &Options::new()).unwrap();
+    assert_eq!(comparison.differences().len(), 0, "{:?}", comparison.differences());
+}

@@ -21,7 +21,7 @@ pub(crate) struct View {
 }
 
 /// Something to be run in the sandbox.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub(crate) struct Task {
     /// The program.
     pub(crate) program: PathBuf,

@@ -6,7 +6,7 @@
 //!     .cargo/config.toml      says to take them from there, and from nowhere else
 //! ```
 
-use super::export::Packed;
+use super::export::{Packed, packed_tree};
 use dcel_kit::files::ScratchFolder;
 use std::collections::BTreeMap;
 use std::fs;
@@ -49,19 +49,6 @@ fn laid(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<BTreeMap<
         return Err(io::Error::other(String::from_utf8_lossy(&ran.stderr).trim().to_owned()));
     }
     let mut crates = BTreeMap::new();
-    collect(&folder.join("vendor"), "vendor", &mut crates)?;
+    packed_tree(&folder.join("vendor"), "vendor", &|_| true, &mut crates)?;
     Ok(crates)
-}
-
-fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let path = format!("{prefix}/{}", entry.file_name().to_string_lossy());
-        if entry.file_type()?.is_dir() {
-            collect(&entry.path(), &path, files)?;
-        } else {
-            files.insert(path, Packed { bytes: fs::read(entry.path())?, executable: false });
-        }
-    }
-    Ok(())
 }

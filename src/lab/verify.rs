@@ -38,7 +38,7 @@ const GRADED_TESTS: &str = "tests/graded.rs";
 const SOLUTION: &str = "solution/lab.rs";
 
 /// What a verification found.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Verification {
     /// What is wrong with the lab, a sentence each; none if it grades rightly.
     pub problems: Vec<String>,
@@ -140,17 +140,11 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
     let mut problems = Vec::new();
     if lab.judge().is_none() {
         problems.push(format!("{}: nothing judges this lab; its own program does, in the folder `program`", lab.name));
-        let (tests, rows) = (Vec::new(), Vec::new());
-        return Ok(Verification { problems, tests, rows, signatures: Signatures::default() });
+        return Ok(Verification { problems, ..Verification::default() });
     }
     let missing = missing(lab);
     if !missing.is_empty() {
-        return Ok(Verification {
-            problems: missing,
-            tests: Vec::new(),
-            rows: Vec::new(),
-            signatures: Signatures::default(),
-        });
+        return Ok(Verification { problems: missing, ..Verification::default() });
     }
     let solution = lab.files.get(SOLUTION).unwrap_or_default();
     let given = match starter(solution) {
@@ -175,7 +169,7 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
     // What does not fit is told at once, before anything is built.
     if !unmade.is_empty() {
         problems.extend(unmade);
-        return Ok(Verification { problems, tests: Vec::new(), rows: Vec::new(), signatures: Signatures::default() });
+        return Ok(Verification { problems, ..Verification::default() });
     }
     let outcomes = grade_all(lab, room, &variants)?;
     let tests: Vec<String> = lab.manifest.tests.iter().map(|test| test.name.clone()).collect();

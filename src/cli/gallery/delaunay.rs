@@ -1,6 +1,7 @@
 //! The reference figures of Delaunay triangulations and Voronoi diagrams.
 
 use super::Made;
+use super::lesson::triangles;
 use dcel_kit::EdgeId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions};
@@ -66,11 +67,8 @@ pub(super) fn lawson() -> Made<String> {
         sheet.over("After the flip", "the corner beyond lies outside of it", &flipped, Backdrop::Dimmed, right);
     }
     let mut circles = Sketch::new();
-    for f in done.faces().skip(1) {
-        let corners: Vec<Point> = done.incident_vertices(f).map(|v| done.point(v)).collect();
-        if let &[a, b, c] = corners.as_slice() {
-            circles.circumcircle(Role::Right, [a, b, c]).key("empty circle");
-        }
+    for corners in triangles(&done) {
+        circles.circumcircle(Role::Right, corners).key("empty circle");
     }
     sheet.over("Delaunay", "no edge is left to flip: every circle is empty", &done, Backdrop::Dimmed, circles);
     let options = FigureOptions::new("Delaunay by flips").id_prefix("lawson").width(408.0).detail(Detail::Edges);

@@ -54,11 +54,22 @@ pub(crate) fn lab_subdivision() -> Made<Subdivision> {
 /// A square in a square with their corners joined: 8 vertices, 12 edges, 6 faces, like a cube seen from above.
 pub(crate) fn cube() -> Made<Subdivision> {
     let points = [(0., 0.), (6., 0.), (6., 6.), (0., 6.), (1.8, 1.8), (4.2, 1.8), (4.2, 4.2), (1.8, 4.2)];
+    quads(points)
+}
+
+/// A quad inside of another one, and those between their sides: the corners of the outer one, then of the inner one.
+pub(crate) fn quads(points: [(f64, f64); 8]) -> Made<Subdivision> {
     let mut faces = PolygonList::new();
     for face in [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]] {
         faces.push_face(&face);
     }
     Ok(Subdivision::from_polygons(points.map(Point::from).to_vec(), &faces)?)
+}
+
+/// The corners of the bounded faces of a triangulation.
+pub(crate) fn triangles(plane: &Subdivision) -> impl Iterator<Item = [Point; 3]> {
+    let corners = |f| plane.incident_vertices(f).map(|v| plane.point(v)).collect::<Vec<_>>();
+    plane.faces().skip(1).filter_map(move |f| corners(f).try_into().ok())
 }
 
 /// The cube as somebody might hand it in: the edge v5-v6 is missing, v5-v7 is too much, the half-edge from v4 to v0

@@ -6,7 +6,6 @@ use dcel_kit::FaceId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples};
 use dcel_kit::figure::{self, Detail, FigureOptions};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
-use dcel_kit::topology::PolygonList;
 
 const OUTLINE: [[f64; 2]; 10] = [
     [0.0, 0.0],
@@ -64,10 +63,6 @@ pub(super) fn dual() -> Made<String> {
 pub(super) fn inset() -> Made<String> {
     let points =
         [(0., 0.), (1000., 0.), (1000., 500.), (0., 500.), (700., 300.), (704., 300.), (704., 303.), (700., 303.)];
-    let mut faces = PolygonList::new();
-    for face in [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]] {
-        faces.push_face(&face);
-    }
-    let plane = Subdivision::from_polygons(points.map(Point::from).to_vec(), &faces)?;
+    let plane = lesson::quads(points)?;
     Ok(figure::inset(&plane, None, &FigureOptions::new("A small face, enlarged").id_prefix("inset"))?.to_svg())
 }

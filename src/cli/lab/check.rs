@@ -5,7 +5,7 @@ use super::super::{Answer, Failure, Output, failure};
 use super::{folder, hint, own, progress};
 use dcel_kit::files::write_whole;
 use dcel_lab::reports::Format;
-use dcel_lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
+use dcel_lab::{Lab, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -91,8 +91,7 @@ impl Bench {
     pub(super) fn new(args: &What) -> Result<Self, Failure> {
         let dir = folder::find(args.dir.as_deref())?;
         let toml = dir.join("lab.toml");
-        let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
-            .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
+        let manifest = folder::manifest(&dir)?;
         let mut lab = super::lab(&manifest.name)?;
         if manifest.version != lab.manifest.version {
             let text = folder::read(&toml)?;

@@ -3,7 +3,7 @@
 use super::super::Failure;
 use super::super::input::text_of;
 use super::super::save::put_folder;
-use dcel_lab::{Kit, LabFiles, Packed, student_files, vendored};
+use dcel_lab::{Kit, LabFiles, Manifest, Packed, student_files, vendored};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,6 +52,13 @@ pub(super) fn find(named: Option<&Path>) -> Result<PathBuf, Failure> {
         .find(|dir| dir.join("lab.toml").is_file())
         .map(Path::to_owned)
         .ok_or_else(|| Failure::input("no lab is here: no folder from here upwards has a lab.toml", HELP))
+}
+
+/// Reads the manifest of the lab in a folder.
+pub(super) fn manifest(dir: &Path) -> Result<Manifest, Failure> {
+    let toml = dir.join("lab.toml");
+    Manifest::parse(&read(&toml)?, &toml.display().to_string())
+        .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))
 }
 
 /// The text of a file in it.

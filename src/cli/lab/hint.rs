@@ -9,7 +9,7 @@ use super::super::choice::{whole, within};
 use super::super::{Answer, Failure, Output};
 use super::folder;
 use dcel_kit::files::write_whole;
-use dcel_lab::{Lab, LabFiles, Manifest, Report};
+use dcel_lab::{Lab, LabFiles, Report};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -76,9 +76,7 @@ pub(super) fn next(dir: &Path, named: Option<&Path>, out: &mut Output) -> Result
 
 /// Writes one hint; whether there is one.
 fn tell(dir: &Path, number: u32, level: u8, named: Option<&Path>, out: &mut Output) -> Result<bool, Failure> {
-    let toml = dir.join("lab.toml");
-    let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
-        .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
+    let manifest = folder::manifest(dir)?;
     let Lab { manifest, files, .. } = super::lab(&manifest.name)?;
     let Some(task) = manifest.task(number) else {
         let what = format!("there is no task {number}");

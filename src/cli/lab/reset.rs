@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, save};
 use super::{bundled, folder};
-use dcel_lab::{Kit, Manifest, student_files};
+use dcel_lab::{Kit, student_files};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -33,9 +33,7 @@ impl Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let dir = folder::find(args.dir.as_deref())?;
-    let toml = dir.join("lab.toml");
-    let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
-        .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
+    let manifest = folder::manifest(&dir)?;
     let files = student_files(&bundled(&manifest.name)?, &Kit::default());
     let mut changed = 0;
     for (path, text) in &files {

@@ -1,5 +1,6 @@
 //! `dcel navmesh info`: what a map is, and what is wrong with it.
 
+use super::super::answer::tell;
 use super::super::{Answer, Failure, Output};
 use super::drawing::{Drawing, save};
 use super::map::Map;
@@ -116,12 +117,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         save(target, drawn, out)?;
     }
     let info = Info::of(&map, told);
-    if args.json {
-        out.json(&info)?;
-    } else {
-        info.print(out)?;
-    }
-    Ok(Answer::Yes)
+    tell(&info, args.json, out, |out| info.print(out))
 }
 
 /// The answer for what is no map.

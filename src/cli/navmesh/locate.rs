@@ -1,7 +1,7 @@
 //! `dcel navmesh locate`: where points lie.
 
-use super::super::answer::fields;
-use super::super::output::table;
+use super::super::answer::{fields, tell};
+use super::super::output::{names, table};
 use super::super::{Answer, Failure, Output};
 use super::map::Map;
 use super::numbers::number;
@@ -68,13 +68,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let points = points.collect::<Result<Vec<_>, Failure>>()?;
     let found = points.into_iter().flatten().flatten().map(|p| locate(&map, p));
     let (found, rows): (Vec<_>, Vec<_>) = found.unzip();
-    if args.json {
-        out.json(&found)?;
-    } else {
+    tell(&found, args.json, out, |out| {
         writeln!(out, "{}:", map.source)?;
-        table(out, &rows)?;
-    }
-    Ok(Answer::Yes)
+        table(out, &rows)
+    })
 }
 
 /// The answer for one point, and the point with the words for it.
@@ -97,8 +94,7 @@ fn locate(map: &Map, coordinates: [f64; 2]) -> (impl Serialize + use<>, [String;
     let dead_end = !faces.is_empty() && faces.iter().all(|&f| mesh.is_dead_end(f));
     let mut words = in_map(map, p, location).to_string();
     if !matches!(location, Location::Face(_)) && !faces.is_empty() {
-        let names: Vec<String> = faces.iter().map(ToString::to_string).collect();
-        words += &format!(", of {}", names.join(" "));
+        words += &format!(", of {}", names(&faces).join(" "));
     }
     let blocked = walkable.is_none() && !faces.is_empty();
     if blocked {

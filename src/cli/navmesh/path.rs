@@ -1,6 +1,6 @@
 //! `dcel navmesh path`: a way by one path algorithm, or by all of them.
 
-use super::super::answer::fields;
+use super::super::answer::{fields, tell};
 use super::super::{Answer, Failure, Output};
 use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish, choose_side};
@@ -8,7 +8,7 @@ use super::extras::{Extras, Links};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
-use super::routes::{Row, answer, tell};
+use super::routes::{Row, answer, print};
 use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
@@ -245,12 +245,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
     let rows: Vec<Row> =
         routes.iter().map(|(algorithm, route)| row(map, *algorithm, route, exact, costs.as_ref())).collect();
-    if args.json {
-        out.json(&maps.answer([start, goal], moved, None::<()>, &rows))?;
-    } else {
-        tell(&rows, out)?;
-    }
-    Ok(Answer::Yes)
+    let answer = maps.answer([start, goal], moved, None::<()>, &rows);
+    tell(&answer, args.json, out, |out| print(&rows, out))
 }
 
 /// The path over links, told and drawn.

@@ -2,14 +2,14 @@
 
 use super::super::answer::fields;
 use super::super::failure::say;
-use super::super::output::{point, table};
+use super::super::output::{names, point, table};
 use super::super::{Answer, Failure, Output};
 use super::tell::faces;
 use dcel_kit::io::counted;
 use dcel_kit::navmesh::{PathAlgorithm, Work};
 use dcel_kit::{FaceId, VertexId};
 use serde::Serialize;
-use std::io::Write;
+use std::io::{self, Write};
 
 /// A path, or a leg of one. The names are those of the JSON form.
 #[derive(Serialize)]
@@ -51,8 +51,8 @@ impl Row {
             ratio: exact.filter(|&exact| exact > 0.0).map(|exact| length / exact),
             points: Vec::new(),
             layers: None,
-            corners: corners.iter().map(ToString::to_string).collect(),
-            faces: faces.iter().map(ToString::to_string).collect(),
+            corners: names(corners),
+            faces: names(faces),
             portals: None,
             pops: work.pops,
             pushes: work.pushes,
@@ -60,7 +60,7 @@ impl Row {
         }
     }
 
-    fn print(&self, out: &mut Output) -> Result<(), Failure> {
+    fn print(&self, out: &mut Output) -> io::Result<()> {
         let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
         let (along, path) = if self.layers.is_some() { (" along the surface", "path") } else { ("", "way") };
         writeln!(out, "{}: {}{along}{cost}, through {}", self.algorithm, self.length, faces(self.faces.len()))?;
@@ -90,7 +90,7 @@ impl Row {
 }
 
 /// Tells the paths: one in full, several as a table.
-pub(super) fn tell(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
+pub(super) fn print(rows: &[Row], out: &mut Output) -> io::Result<()> {
     if let [row] = rows {
         return row.print(out);
     }
@@ -110,7 +110,7 @@ pub(super) fn tell(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
     }
     // A search over a surface enters no faces.
     lines.iter_mut().filter(|_| !is_map).for_each(|line| line[6].clear());
-    Ok(table(out, &lines)?)
+    table(out, &lines)
 }
 
 /// The answer with these paths; if there are none, what lies apart. Agents on a floor in space have no radius.
@@ -145,7 +145,7 @@ pub(super) fn furthest<P, A>(
     face: impl Fn(&P) -> FaceId,
     reach: impl Fn(&A) -> f64,
 ) -> Option<(P, A)> {
-    let faces: Vec<String> = answers.iter().map(|(place, _)| face(place).to_string()).collect();
+    let faces = names(answers.iter().map(|(place, _)| face(place)));
     let further = |best: (P, A), other: (P, A)| if reach(&other.1) > reach(&best.1) { other } else { best };
     let best = answers.into_iter().reduce(further)?;
     if faces.len() > 1 {
@@ -163,8 +163,7 @@ pub(super) fn furthest<P, A>(
 /// Tells that distances count from each of several places at a start.
 pub(super) fn from_each(start: &str, why: &str, faces: impl ExactSizeIterator<Item = FaceId>) {
     if faces.len() > 1 {
-        let faces: Vec<String> = faces.map(|face| face.to_string()).collect();
-        let all = faces.join(", ");
+        let all = names(faces).join(", ");
         say(
             "note",
             format_args!("the start {start} is {why}, in {all}: the nearest of them counts; --start-face chooses one"),
@@ -190,8 +189,7 @@ pub(super) fn choose<P: Copy>(
     let found = shortest();
     let [i, k] = found.unwrap_or_default();
     for ((what, at, places), chosen) in ends.iter().zip([i, k]).filter(|((.., places), _)| places.len() > 1) {
-        let others: Vec<String> = places.iter().map(|place| face(place).to_string()).collect();
-        let (others, face) = (others.join(", "), face(&places[chosen]));
+        let (others, face) = (names(places.iter().map(&face)).join(", "), face(&places[chosen]));
         let told = match found {
             Some(_) => format!("the shortest path is that of {face}; --{what}-face chooses"),
             None => "no path begins or ends in any of them".to_owned(),

@@ -1,5 +1,6 @@
 //! `dcel navmesh scenario`: every query of a file against its stated length.
 
+use super::super::answer::tell;
 use super::super::failure::say;
 use super::super::{Answer, Failure, Output};
 use super::ends::{Moves, Snap};
@@ -12,7 +13,7 @@ use clap::ValueEnum;
 use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, read_whole, source_name};
 use dcel_kit::navmesh::{PathAlgorithm, Planner, QueryPointError, RouteError};
 use serde::Serialize;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// Check every query of a scenario against the length that the file states
@@ -222,11 +223,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         report.lengths.verdict = neither.words(optimum);
         report.lengths.neither = Some(neither);
     }
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(optimum, out)?;
-    }
+    tell(&report, args.json, out, |out| report.print(optimum, out))?;
     if report.off > 0 && args.snap.limit().is_none() {
         let ends = counted(report.off, "query starts or ends", "queries start or end");
         say("help", format_args!("{ends} off the mesh: --snap 0.5 moves their ends onto it, if it is so near"));
@@ -331,7 +328,7 @@ fn why(stated: Option<f64>, found: Option<f64>, error: Option<String>) -> String
 }
 
 impl Report {
-    fn print(&self, optimum: Optimum, out: &mut Output) -> Result<(), Failure> {
+    fn print(&self, optimum: Optimum, out: &mut Output) -> io::Result<()> {
         const SHOWN: usize = 10;
         writeln!(out, "stated lengths: {}", self.lengths.verdict)?;
         for wrong in self.wrong.iter().take(SHOWN) {
@@ -352,7 +349,6 @@ impl Report {
             Optimum::Euclidean => "optimal",
             Optimum::Octile => "within the octile cost",
         };
-        writeln!(out, "{} of {} {words}", self.right, self.queries)?;
-        Ok(())
+        writeln!(out, "{} of {} {words}", self.right, self.queries)
     }
 }

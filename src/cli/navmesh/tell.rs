@@ -63,9 +63,7 @@ pub(super) fn refusal(map: &Map, error: &QueryPointError) -> String {
         }
         QueryPointError::Blocked { point: p, location } => format!("{} is blocked: it is {location}", point(map, *p)),
         QueryPointError::Ambiguous { point: p, location, faces } => {
-            let faces: Vec<String> = faces.iter().map(ToString::to_string).collect();
-            let sides = faces.len();
-            let faces = faces.join(", ");
+            let (sides, faces) = (faces.len(), output::names(faces).join(", "));
             format!("{} is {location}, where {sides} sides meet that nobody passes between: {faces}", point(map, *p))
         }
         QueryPointError::NotInFace { point: p, location, face } => {

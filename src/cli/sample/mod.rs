@@ -1,5 +1,6 @@
 //! `dcel sample`: small inputs to try the commands on. The examples of all help texts use them.
 
+use super::answer::tell;
 use super::output::table;
 use super::save::put;
 use super::{Answer, Failure, Output};
@@ -83,13 +84,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Ok(Answer::Yes);
     }
     if args.names.is_empty() {
-        if args.json {
-            out.json(&SAMPLES)?;
-        } else {
+        return tell(&SAMPLES, args.json, out, |out| {
             table(out, &SAMPLES.iter().map(|s| [s.name.to_owned(), s.about.to_owned()]).collect::<Vec<_>>())?;
-            writeln!(out, "\n`dcel sample NAME` writes one of them, `dcel sample --all DIR` all.")?;
-        }
-        return Ok(Answer::Yes);
+            writeln!(out, "\n`dcel sample NAME` writes one of them, `dcel sample --all DIR` all.")
+        });
     }
     let samples = args.names.iter().map(|name| named(name)).collect::<Result<Vec<_>, _>>()?;
     match (&args.output, &samples[..]) {

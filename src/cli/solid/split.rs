@@ -2,6 +2,7 @@
 
 use super::common::{Target, open, refused};
 use crate::input::InputOptions;
+use crate::output::names;
 use crate::{Answer, Failure, Output};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
@@ -64,8 +65,8 @@ fn corner(args: &Args, solid: &Polyhedron, v: VertexId) -> Result<HalfEdgeId, Fa
     }
     let corners: Vec<HalfEdgeId> = solid.incident_half_edges(face).collect();
     corners.iter().copied().find(|&h| solid.origin(h) == v).ok_or_else(|| {
-        let names: Vec<String> = corners.iter().map(|&h| solid.origin(h).to_string()).collect();
-        Failure::input(format!("{file}: {v} is no corner of {face}"), format!("its corners are {}", names.join(" ")))
+        let all = names(corners.iter().map(|&h| solid.origin(h))).join(" ");
+        Failure::input(format!("{file}: {v} is no corner of {face}"), format!("its corners are {all}"))
     })
 }
 

@@ -18,14 +18,10 @@ pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
         for (i, &from) in cycle.iter().enumerate() {
             let ends = [from, cycle[(i + 1) % cycle.len()]];
             let h = half_edge(i);
-            let twin = by_ends.get(&[ends[1], ends[0]]).copied();
-            if let Some(row) = twin.and_then(|twin| table.half_edges[twin.index()].as_mut()) {
-                row.twin = Some(h);
-            }
             by_ends.insert(ends, h);
             table.half_edges.push(Some(HalfEdgeRow {
                 origin: Some(VertexId::new(from)),
-                twin,
+                twin: None,
                 next: Some(half_edge(i + 1)),
                 prev: Some(half_edge(i + cycle.len() - 1)),
                 face: Some(FaceId::new(f as u32)),
@@ -36,7 +32,7 @@ pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
         }
         table.faces.push(Some(FaceRow { half_edge: Some(half_edge(0)), ..FaceRow::default() }));
     }
-    // An edge with the same face on both sides meets its twin only once both are there.
+    // An edge meets its twin only once both are there.
     for i in 0..table.half_edges.len() {
         let h = HalfEdgeId::new(i as u32);
         let ends = table.origin(h).zip(table.next(h).and_then(|next| table.origin(next)));

@@ -1,5 +1,7 @@
 //! What the handouts draw: the judges begin with it, and so do the figures.
 
+use dcel_kit::plane::Point;
+
 /// The sites of labs 07 and 08.
 pub const SITES: [[f64; 2]; 12] = [
     [-180.0, -110.0],
@@ -83,3 +85,25 @@ pub const GEM: [[f64; 3]; 8] = [
     [70.0, -100.0, -10.0],
     [20.0, 10.0, 150.0],
 ];
+
+/// The points of the list of lab 05.
+pub const LIST_POINTS: [[f64; 2]; 7] =
+    [[-250.0, -150.0], [0.0, -150.0], [250.0, -150.0], [250.0, 150.0], [0.0, 150.0], [-250.0, 150.0], [0.0, 0.0]];
+/// Its faces.
+pub const LIST_FACES: [&[u32]; 4] = [&[0, 1, 6], &[1, 2, 3, 6], &[3, 4, 6], &[6, 4, 5, 0]];
+
+/// The circle through three points, as lab 07 draws it: a polygon of 56 corners.
+#[must_use]
+pub fn circle([a, b, c]: [Point; 3]) -> Vec<Point> {
+    const CORNERS: u32 = 56;
+    // The centre, seen from a: where the lines meet that halve two sides.
+    let [p, q] = [b, c].map(|to| [to.x - a.x, to.y - a.y]);
+    let [pp, qq] = [p, q].map(|v| (v[0] * v[0] + v[1] * v[1]) / 2.0);
+    let det = p[0] * q[1] - p[1] * q[0];
+    let [x, y] = [(pp * q[1] - qq * p[1]) / det, (p[0] * qq - q[0] * pp) / det];
+    let at = |i: u32| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
+        Point::new(a.x + x + x.hypot(y) * cos, a.y + y + x.hypot(y) * sin)
+    };
+    (0..CORNERS).map(at).collect()
+}

@@ -2,7 +2,7 @@
 
 use super::large;
 use crate::protocol::{Start, Structure};
-use std::fmt::Write;
+use std::fmt::Display;
 use std::sync::Arc;
 
 /// A polygon by its corners, counter-clockwise.
@@ -14,11 +14,7 @@ pub fn polygon(corners: &[[f64; 2]]) -> Start {
 /// Triangles: points, then corners by number.
 #[must_use]
 pub fn triangles(places: &[[f64; 2]], triangles: &[[u32; 3]]) -> Start {
-    let mut line = format!("triangles{} /", points(places));
-    for [i, j, k] in triangles {
-        let _ = write!(line, " {i} {j} {k}");
-    }
-    Start::line(line)
+    Start::line(format!("triangles{} /{}", points(places), words(triangles.iter().flatten())))
 }
 
 /// A convex polygon with so many corners.
@@ -42,8 +38,17 @@ pub fn grid(columns: usize, rows: usize) -> Start {
 /// Points, two numbers each, with a blank before each number.
 #[must_use]
 pub fn points(points: &[[f64; 2]]) -> String {
-    points.iter().fold(String::new(), |mut out, [x, y]| {
-        let _ = write!(out, " {x} {y}");
-        out
-    })
+    words(points.iter().flatten())
+}
+
+/// Words with a blank before each of them.
+pub fn words(all: impl IntoIterator<Item: Display>) -> String {
+    all.into_iter().map(|word| format!(" {word}")).collect()
+}
+
+/// A number in its shorter form: in full, or with a power of ten.
+#[must_use]
+pub fn shorter(x: f64) -> String {
+    let (plain, powers) = (x.to_string(), format!("{x:e}"));
+    if powers.len() < plain.len() { powers } else { plain }
 }

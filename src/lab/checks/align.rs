@@ -7,6 +7,7 @@
 //!
 //! Cost: O(n) for each pairing; there are at most two ways for a split of a face, and four for one of an edge.
 
+use crate::cases::numbers::renumbered;
 use dcel_kit::topology::{HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::fmt;
@@ -117,10 +118,18 @@ impl fmt::Display for Content {
     }
 }
 
+impl Difference {
+    /// The name of the field with that of its owner: `h7.prev`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let owner = self.owner.map_or_else(String::new, |owner| format!("{owner}."));
+        format!("{owner}{}", self.field.word())
+    }
+}
+
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let owner = self.owner.map_or_else(String::new, |owner| format!("{owner}."));
-        write!(f, "{owner}{} is {}, expected {}", self.field.word(), self.found, self.expected)
+        write!(f, "{} is {}, expected {}", self.name(), self.found, self.expected)
     }
 }
 
@@ -147,8 +156,8 @@ pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
         orders.push(vec![b, a]);
     }
     for order in orders {
-        let renamed =
-            if order == new.half_edges { expected.clone() } else { rename(expected, &new.half_edges, &order) };
+        let name = |h| new.half_edges.iter().position(|&f| f == h).map_or(h, |i| order[i]);
+        let renamed = renumbered(expected, |v| v, name, |f| f);
         let differences = differences(&renamed, yours);
         if differences.is_empty() {
             return Aligned { expected: renamed, new: New { half_edges: order, ..new.clone() }, differences };
@@ -159,29 +168,6 @@ pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
         }
     }
     best.unwrap_or_else(|| Aligned { expected: expected.clone(), new: new.clone(), differences: Vec::new() })
-}
-
-/// The table in which each of `from` is called by its partner in `to`, a permutation of the same numbers.
-fn rename(table: &Table, from: &[HalfEdgeId], to: &[HalfEdgeId]) -> Table {
-    let name = |h: HalfEdgeId| from.iter().position(|&f| f == h).map_or(h, |i| to[i]);
-    let pointer = |h: Option<HalfEdgeId>| h.map(name);
-    let mut out = table.clone();
-    for (i, row) in table.half_edges.iter().enumerate() {
-        let row = row.map(|row| HalfEdgeRow {
-            twin: pointer(row.twin),
-            next: pointer(row.next),
-            prev: pointer(row.prev),
-            ..row
-        });
-        out.half_edges[name(HalfEdgeId::new(i as u32)).index()] = row;
-    }
-    for row in out.vertices.iter_mut().flatten() {
-        row.outgoing = pointer(row.outgoing);
-    }
-    for row in out.faces.iter_mut().flatten() {
-        row.half_edge = pointer(row.half_edge);
-    }
-    out
 }
 
 /// The fields that differ between two tables with the same elements, half-edges first.
@@ -224,7 +210,9 @@ pub fn differences(expected: &Table, yours: &Table) -> Vec<Difference> {
     out
 }
 
-fn half_edge_row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
+/// The row of a half-edge; an empty one if there is none.
+#[must_use]
+pub fn half_edge_row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
     table.half_edges.get(h.index()).copied().flatten().unwrap_or_default()
 }
 

@@ -6,42 +6,30 @@
 //!                             a b c     the last one is left out         a b c d a   the first one comes twice
 //! ```
 
-use std::fmt;
-
-/// How a walk differs from the right one.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum WalkFault {
-    /// The right elements in the opposite order.
-    Reversed,
-    /// The right walk, and its first element once more.
-    StartRepeated,
-    /// The right walk, but it stops one early.
-    OneMissing,
-    /// A piece of the right walk, more than one element short.
-    StopsEarly,
-    /// Nothing at all.
-    Empty,
-    /// The right elements, all once, in another order.
-    Disordered,
-    /// An element comes more often than it should.
-    Repeated,
-    /// Elements that do not belong to the walk.
-    Strangers,
-}
-
-impl fmt::Display for WalkFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Reversed => "they come in clockwise order: the opposite way round",
-            Self::StartRepeated => "the start comes twice: the walk should stop before it comes back to its start",
-            Self::OneMissing => "one is left out: the walk stops one step too early, or begins one too late",
-            Self::StopsEarly => "the walk stops before it has come round",
-            Self::Empty => "nothing was returned",
-            Self::Disordered => "all are there, but not in the order of the walk",
-            Self::Repeated => "some come more than once",
-            Self::Strangers => "some do not belong there",
-        })
+dcel_kit::named! {
+    /// How a walk differs from the right one.
+    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+    pub enum WalkFault {
+        /// The right elements in the opposite order.
+        Reversed = "they come in clockwise order: the opposite way round",
+        /// The right walk, and its first element once more.
+        StartRepeated = "the start comes twice: the walk should stop before it comes back to its start",
+        /// The right walk, but it stops one early.
+        OneMissing = "one is left out: the walk stops one step too early, or begins one too late",
+        /// A piece of the right walk, more than one element short.
+        StopsEarly = "the walk stops before it has come round",
+        /// Nothing at all.
+        Empty = "nothing was returned",
+        /// The right elements, all once, in another order.
+        Disordered = "all are there, but not in the order of the walk",
+        /// An element comes more often than it should.
+        Repeated = "some come more than once",
+        /// Elements that do not belong to the walk.
+        Strangers = "some do not belong there",
     }
+
+    /// What is wrong, in words.
+    fn words as Display;
 }
 
 /// What is wrong with `found` as the closed walk `expected`; `None` if it is that walk from any start.

@@ -1,7 +1,8 @@
 //! Collecting what is wrong with a call.
 
 use crate::fault::{Exchange, Fault, FaultKind};
-use dcel_kit::Element;
+use dcel_kit::{Element, HalfEdgeId};
+use std::fmt::Display;
 
 /// What is wrong with one call. Of each rule of a test only the first fault is kept: the others are like it.
 pub struct Faults<'a> {
@@ -31,10 +32,30 @@ impl<'a> Faults<'a> {
         self.out.push(Fault { elements: elements.to_vec(), ..fault });
     }
 
+    /// A field of a half-edge that is not what it should be, if it is not.
+    pub fn field<T: Display + PartialEq>(
+        &mut self,
+        test: &'static str,
+        rule: &str,
+        (h, name): (HalfEdgeId, &str),
+        [found, expected]: [Option<T>; 2],
+    ) {
+        if found != expected {
+            let words = format!("{h}.{name} is {}, expected {}", named(found), named(expected));
+            self.wrong(test, rule, &words, &[h.into()]);
+        }
+    }
+
     /// All of it.
     pub fn all(self) -> Vec<Fault> {
         self.out
     }
+}
+
+/// An element in a sentence.
+#[must_use]
+pub fn named<T: Display>(element: Option<T>) -> String {
+    element.map_or_else(|| "not set".to_owned(), |element| element.to_string())
 }
 
 /// Words in which new elements have no numbers: `h4.next = h*` for `h4.next = h17`. So they tell a mistake from others,

@@ -7,12 +7,13 @@
 //!                         returned 4 2 0 ─▶ compared with the walk, up to where it starts   cyclic.rs
 //! ```
 //!
-//! `faults.rs` collects what is wrong with a call. The structure before a call is the student's own, so old elements
+//! `faults.rs` collects what is wrong with a call, `duals.rs` knows what a dual is. The structure before a call is the student's own, so old elements
 //! keep their numbers and only the new ones may be numbered at will. `after` may be broken in every way: nothing here
 //! panics or walks without a bound (`walks.rs`).
 
 pub mod align;
 pub mod cyclic;
+pub mod duals;
 pub mod faults;
 pub mod steps;
 pub mod walks;

@@ -14,6 +14,12 @@ pub fn place(table: &Table, v: VertexId) -> Option<[f64; 2]> {
     table.vertices.get(v.index())?.as_ref()?.position
 }
 
+/// What the names of cases say in which all vertices are at one place.
+pub const BLIND: &str = ".blind";
+/// What is added to every fault of such a case.
+pub const IN_THE_BLIND: &str =
+    " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
+
 /// The same structure with all vertices at one place.
 #[must_use]
 pub fn blind(table: &Table) -> Table {

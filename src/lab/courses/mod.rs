@@ -1,6 +1,6 @@
 //! The judges of the labs that come with the kit. Nothing else here knows a lab by its name.
 //!
-//! A further lab is a folder here, a line in [`judge_of`] and in [`FOLDERS`], a feature of the package, and a folder in
+//! A further lab is a folder here, a line in the list of labs, a feature of the package, and a folder in
 //! `labs/`. A lab outside of the kit brings its
 //! judge along, see [`Lab::with_judge`](crate::Lab::with_judge).
 
@@ -32,50 +32,36 @@ use crate::manifest::Manifest;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// The judge of a lab, by the name of its folder: one of the kit's, or one that [`add_own`] has added.
-#[must_use]
-pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
-    match lab {
-        #[cfg(feature = "lab-01")]
-        "01-predicates" => Some(&predicates::PREDICATES),
-        #[cfg(feature = "lab-02")]
-        "02-triangulation" => Some(&triangulation::TRIANGULATION),
-        #[cfg(feature = "lab-03")]
-        "03-convex-hulls" => Some(&hulls::HULLS),
-        #[cfg(feature = "lab-04")]
-        "04-half-edge" => Some(&half_edge::HALF_EDGE),
-        #[cfg(feature = "lab-05")]
-        "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
-        #[cfg(feature = "lab-06")]
-        "06-navmesh" => Some(&navmesh::NAVMESH),
-        #[cfg(feature = "lab-07")]
-        "07-delaunay" => Some(&delaunay::DELAUNAY),
-        #[cfg(feature = "lab-08")]
-        "08-voronoi" => Some(&voronoi::VORONOI),
-        #[cfg(feature = "lab-09")]
-        "09-two-primitives" => Some(&primitives::PRIMITIVES),
-        #[cfg(feature = "lab-10")]
-        "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
-        #[cfg(feature = "lab-11")]
-        "11-support" => Some(&support::SUPPORT),
-        _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
-    }
+macro_rules! labs {
+    ($($feature:literal $lab:literal $folder:ident $judge:ident,)*) => {
+        /// The judge of a lab, by the name of its folder: one of the kit's, or one that [`add_own`] has added.
+        #[must_use]
+        pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
+            match lab {
+                $(#[cfg(feature = $feature)] $lab => Some(&$folder::$judge),)*
+                _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
+            }
+        }
+
+        /// The labs of the kit, and the folder here that each of them needs.
+        pub const FOLDERS: &[(&str, &str)] = &[$(($lab, stringify!($folder)),)*];
+    };
 }
 
-/// The labs of the kit, and the folder here that each of them needs.
-pub const FOLDERS: &[(&str, &str)] = &[
-    ("01-predicates", "predicates"),
-    ("02-triangulation", "triangulation"),
-    ("03-convex-hulls", "hulls"),
-    ("04-half-edge", "half_edge"),
-    ("05-triangle-list", "triangle_list"),
-    ("06-navmesh", "navmesh"),
-    ("07-delaunay", "delaunay"),
-    ("08-voronoi", "voronoi"),
-    ("09-two-primitives", "primitives"),
-    ("10-polyhedra", "polyhedra"),
-    ("11-support", "support"),
-];
+// The feature of the package, the folder in `labs`, the folder here, and the judge in it.
+labs! {
+    "lab-01" "01-predicates" predicates PREDICATES,
+    "lab-02" "02-triangulation" triangulation TRIANGULATION,
+    "lab-03" "03-convex-hulls" hulls HULLS,
+    "lab-04" "04-half-edge" half_edge HALF_EDGE,
+    "lab-05" "05-triangle-list" triangle_list TRIANGLE_LIST,
+    "lab-06" "06-navmesh" navmesh NAVMESH,
+    "lab-07" "07-delaunay" delaunay DELAUNAY,
+    "lab-08" "08-voronoi" voronoi VORONOI,
+    "lab-09" "09-two-primitives" primitives PRIMITIVES,
+    "lab-10" "10-polyhedra" polyhedra POLYHEDRA,
+    "lab-11" "11-support" support SUPPORT,
+}
 
 /// A lab outside of the kit.
 #[derive(Clone)]

@@ -30,7 +30,7 @@ pub(super) fn of(before: &Table, expected: &Table, yours: &Table) -> String {
     let old = differences(expected, before);
     let _ = writeln!(out, "{:16}{:12}{:12}yours", "", "before", "expected");
     for difference in all.iter().take(FIELDS) {
-        let name = name(difference);
+        let name = difference.name();
         let was = was(&old, difference, before);
         let _ = writeln!(out, "{name:16}{was:12}{:12}{}", difference.expected.to_string(), difference.found);
     }
@@ -50,11 +50,6 @@ pub(super) fn of(before: &Table, expected: &Table, yours: &Table) -> String {
         }
     }
     out
-}
-
-fn name(difference: &Difference) -> String {
-    let owner = difference.owner.map_or_else(String::new, |owner| format!("{owner}."));
-    format!("{owner}{}", difference.field.word())
 }
 
 /// What stood in a field before the call: what the expected structure has, unless it differs from that.

@@ -177,6 +177,22 @@ impl Case {
         self
     }
 
+    /// Adds calls, each followed by these steps.
+    #[must_use]
+    pub fn calls(mut self, calls: impl IntoIterator<Item = Step>, after: &[Step]) -> Self {
+        for call in calls {
+            self.steps.push(call);
+            self.steps.extend_from_slice(after);
+        }
+        self
+    }
+
+    /// Adds calls, each made on the structure as it is now, and shown after it.
+    #[must_use]
+    pub fn each_alone(self, calls: impl IntoIterator<Item = Step>) -> Self {
+        self.step(Step::Save).calls(calls, &[Step::Dump, Step::Restore])
+    }
+
     /// The shortest case with the same structure before step `at` and the same step `at`, and the number of the
     /// step in it: what was done and undone by `save` and `restore` is left out, and so are calls that only read
     /// (no dump follows them), and other dumps than the one just before. A picture shows what all calls have made. If a

@@ -71,15 +71,10 @@ pub(super) fn submission(out: &mut String, report: &Report, number: usize, alone
     for adjustment in report.all_adjustments() {
         let _ = writeln!(out, "<p>{:+} points: {}</p>", adjustment.points, escaped(&adjustment.reason));
     }
-    for (name, text) in &report.attachments {
+    let printed = ("What the program printed".to_owned(), report.printed.clone());
+    let printed = Some(&printed).filter(|(_, text)| !text.is_empty());
+    for (name, text) in report.attachments.iter().chain(printed) {
         let _ = writeln!(out, "<details><summary>{}</summary><pre>{}</pre></details>", escaped(name), escaped(text));
-    }
-    if !report.printed.is_empty() {
-        let _ = writeln!(
-            out,
-            "<details><summary>What the program printed</summary><pre>{}</pre></details>",
-            escaped(&report.printed)
-        );
     }
     let _ = writeln!(out, "<p class=\"small\">{}</p>\n</section>", escaped(&words::circumstances(report).join(" ")));
 }

@@ -130,14 +130,7 @@ impl Resident {
             if !user.is_running() {
                 return true;
             }
-            let nothing = Task {
-                program: PathBuf::new(),
-                args: Vec::new(),
-                env: Vec::new(),
-                folder: PathBuf::from("/"),
-                view: View::default(),
-                limits: Limits::default(),
-            };
+            let nothing = Task { folder: PathBuf::from("/"), ..Task::default() };
             let spec = Spec { step: Step::Sweep, ..self.spec(&nothing, "sweep") };
             let Ok(text) = serde_json::to_string(&spec) else { return false };
             let mut command = Command::new(self.sandbox.launcher());

@@ -1,5 +1,6 @@
 //! The reference figure of lab 02.
 
+use super::dots;
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
@@ -28,9 +29,7 @@ pub(in crate::gallery) fn triangulation() -> Made<String> {
             }
         }
     }
-    for corner in drawing::DRAWING {
-        sketch.point(Role::Plain, corner);
-    }
+    dots(&mut sketch, Role::Plain, drawing::DRAWING);
     let options = FigureOptions::new("A polygon cut into triangles").id_prefix("lab-02-triangulation").width(620.0);
     Ok(sketch.figure(&options)?.to_svg())
 }

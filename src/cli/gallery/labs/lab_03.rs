@@ -1,5 +1,6 @@
 //! The figures of lab 03.
 
+use super::dots;
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
@@ -34,9 +35,7 @@ pub(in crate::gallery) fn picture() -> Made<String> {
     for &touched in corners.iter().filter(|&corner| touches(corner)) {
         sketch.path(Role::Secondary, [eye, touched]).solid();
     }
-    for point in POINTS {
-        sketch.point(Role::Plain, point);
-    }
+    dots(&mut sketch, Role::Plain, POINTS);
     let options = FigureOptions::new("A convex hull and two tangents").id_prefix("lab-03-hull");
     Ok(sketch.figure(&options)?.to_svg())
 }
@@ -45,11 +44,6 @@ pub(in crate::gallery) fn picture() -> Made<String> {
 pub(in crate::gallery) fn three_ways() -> Made<String> {
     let [points @ .., _] = POINTS;
     let corners = hull(&points)?;
-    let dots = |sketch: &mut Sketch| {
-        for point in points {
-            sketch.point(Role::Plain, point);
-        }
-    };
 
     let mut gift = Sketch::new();
     gift.path(Role::Main, corners[..3].to_vec()).solid();
@@ -57,13 +51,13 @@ pub(in crate::gallery) fn three_ways() -> Made<String> {
         gift.path(Role::Dimmed, [corners[2], other]);
     }
     gift.path(Role::Main, [corners[2], corners[3]]).arrow().label("next corner");
-    dots(&mut gift);
+    dots(&mut gift, Role::Plain, points);
 
     let mut scan = Sketch::new();
     scan.path(Role::Main, [[-250.0, -60.0], [-110.0, -150.0], [30.0, -150.0], [110.0, -90.0]]).solid();
     scan.path(Role::Secondary, [[110.0, -90.0], [130.0, 40.0]]).arrow().label("left turn: stays");
     scan.path(Role::Dimmed, [[-40.0, -150.0], [20.0, -60.0], [30.0, -150.0]]).label("taken off again");
-    dots(&mut scan);
+    dots(&mut scan, Role::Plain, points);
 
     let mut halves = Sketch::new();
     let (left, right): (Vec<[f64; 2]>, Vec<[f64; 2]>) = points.iter().partition(|p| p[0] < -70.0);
@@ -72,7 +66,7 @@ pub(in crate::gallery) fn three_ways() -> Made<String> {
     outline(&mut halves, Role::Secondary, &parts[1]);
     halves.path(Role::Event, [[-110.0, -150.0], [30.0, -150.0]]).solid().label("lower tangent");
     halves.path(Role::Event, [[-130.0, 150.0], [40.0, 140.0]]).solid().label("upper tangent");
-    dots(&mut halves);
+    dots(&mut halves, Role::Plain, points);
 
     let mut panels = Multiples::new();
     panels.sketch("Gift wrapping", "from corner to corner", gift);

@@ -1,5 +1,6 @@
 //! The reference figures of lab 04.
 
+use super::dots;
 use crate::gallery::Made;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, Overrides};
@@ -28,9 +29,7 @@ pub(in crate::gallery) fn two_nexts() -> Made<String> {
     list.path(Role::Plain, [b, e]).label("one edge");
     list.path(Role::Main, [[4.1, 4.45], [0.7, 3.86]]).arrow().label("next, in the left face");
     list.path(Role::Secondary, [[4.2, 0.2], [7.7, 0.82]]).arrow().solid().label("next, in the right face");
-    for corner in TWO_FACES {
-        list.point(Role::Plain, corner);
-    }
+    dots(&mut list, Role::Plain, TWO_FACES);
     let corners = TWO_FACES.map(|[x, y]| format!("{x} {y}")).join(" ");
     let halves = Script::parse(&format!("polygon {corners}\nsplit_face h2 h8"), "two faces")?.run().end;
     let mut panels = Multiples::new();

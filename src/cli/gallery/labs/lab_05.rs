@@ -6,12 +6,7 @@ use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, SketchFilm};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
-
-/// The points of the handout's list.
-const POINTS: [[f64; 2]; 7] =
-    [[-250.0, -150.0], [0.0, -150.0], [250.0, -150.0], [250.0, 150.0], [0.0, 150.0], [-250.0, 150.0], [0.0, 0.0]];
-/// Its faces.
-const FACES: [&[u32]; 4] = [&[0, 1, 6], &[1, 2, 3, 6], &[3, 4, 6], &[6, 4, 5, 0]];
+use dcel_lab::cases::handouts::{LIST_FACES as FACES, LIST_POINTS as POINTS};
 
 fn handout() -> Made<Subdivision> {
     let points = POINTS.map(|[x, y]| Point { x, y }).to_vec();
@@ -56,7 +51,6 @@ pub(in crate::gallery) fn matching() -> Made<String> {
 /// Face by face: what waits for its twin, what has found it; in the end, the border.
 pub(in crate::gallery) fn film() -> Made<String> {
     let mut film = SketchFilm::new();
-    let corner = |v: u32| POINTS[v as usize];
     // The half-edges without a twin so far, by the ends of each.
     let mut waiting: Vec<[u32; 2]> = Vec::new();
     let mut matched: Vec<[u32; 2]> = Vec::new();
@@ -76,9 +70,7 @@ pub(in crate::gallery) fn film() -> Made<String> {
         arrows(&mut sketch, &waiting, Role::Secondary, "waits for its twin");
         arrows(&mut sketch, &matched, Role::Dimmed, "");
         arrows(&mut sketch, &found, Role::Right, "finds its twin");
-        for v in 0..POINTS.len() as u32 {
-            sketch.point(Role::Plain, corner(v)).label(format!("v{v}"));
-        }
+        corners(&mut sketch);
         let corners: Vec<String> = face.iter().map(ToString::to_string).collect();
         let words = match found.len() {
             0 => "nobody waits for its half-edges".to_owned(),
@@ -91,11 +83,15 @@ pub(in crate::gallery) fn film() -> Made<String> {
     let border: Vec<[u32; 2]> = waiting.iter().map(|&[a, b]| [b, a]).collect();
     arrows(&mut sketch, &matched, Role::Dimmed, "");
     arrows(&mut sketch, &border, Role::Main, "half-edge of the outer face");
-    for v in 0..POINTS.len() as u32 {
-        sketch.point(Role::Plain, corner(v)).label(format!("v{v}"));
-    }
+    corners(&mut sketch);
     film.frame("The border", "what still waits gets a twin in the outer face", sketch);
     strip(&film, "A film of matching", "matching-film")
+}
+
+fn corners(sketch: &mut Sketch) {
+    for (v, place) in POINTS.into_iter().enumerate() {
+        sketch.point(Role::Plain, place).label(format!("v{v}"));
+    }
 }
 
 /// The faces so far.

@@ -1,5 +1,6 @@
 //! The reference figures of lab 06.
 
+use super::dots;
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
@@ -54,9 +55,7 @@ pub(in crate::gallery) fn corridor() -> Made<String> {
         sketch.path(Role::Plain, [place(&map, h), place(&map, h.twin())]);
     }
     sketch.path(Role::Goal, route.points.iter().copied()).solid();
-    for &p in &route.points {
-        sketch.point(Role::Plain, p);
-    }
+    dots(&mut sketch, Role::Plain, route.points);
     let options = FigureOptions::new("A corridor and the path in it").id_prefix("lab-06-corridor").width(620.0);
     Ok(sketch.figure(&options)?.to_svg())
 }

@@ -1,44 +1,27 @@
 //! The figures of lab 07: the reference, and what a flip does to the records.
 
+use super::dots;
 use crate::gallery::Made;
+use crate::gallery::lesson::triangles;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision};
-use dcel_lab::cases::handouts::SITES;
-
-/// A circle is drawn as a polygon of so many corners, as the students' programs draw it.
-const CORNERS: u32 = 56;
-
-/// The circle through three points, as a closed path.
-fn circle([a, b, c]: [Point; 3]) -> Vec<Point> {
-    let [p, q] = [b, c].map(|to| [to.x - a.x, to.y - a.y]);
-    let [pp, qq] = [p, q].map(|v| (v[0] * v[0] + v[1] * v[1]) / 2.0);
-    let det = p[0] * q[1] - p[1] * q[0];
-    let [x, y] = [(pp * q[1] - qq * p[1]) / det, (p[0] * qq - q[0] * pp) / det];
-    let at = |i: u32| {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(i % CORNERS) / f64::from(CORNERS)).sin_cos();
-        Point::new(a.x + x + x.hypot(y) * cos, a.y + y + x.hypot(y) * sin)
-    };
-    (0..=CORNERS).map(at).collect()
-}
+use dcel_lab::cases::handouts::{SITES, circle};
 
 /// The picture that lab 07 asks for.
 pub(in crate::gallery) fn circles() -> Made<String> {
     let delaunay = Subdivision::delaunay(&SITES.map(Point::from))?.subdivision;
     let mut sketch = Sketch::new();
-    for f in delaunay.faces().skip(1) {
-        let corners: Vec<Point> = delaunay.incident_vertices(f).map(|v| delaunay.point(v)).collect();
-        if let &[a, b, c] = corners.as_slice() {
-            sketch.path(Role::Secondary, circle([a, b, c])).solid();
-        }
+    for corners in triangles(&delaunay) {
+        let mut circle = circle(corners);
+        circle.push(circle[0]);
+        sketch.path(Role::Secondary, circle).solid();
     }
     for edge in delaunay.edges() {
         let ends = edge.half_edges().map(|h| delaunay.point(delaunay.origin(h)));
         sketch.path(Role::Main, ends).solid();
     }
-    for site in SITES {
-        sketch.point(Role::Plain, site);
-    }
+    dots(&mut sketch, Role::Plain, SITES);
     let options = FigureOptions::new("A Delaunay triangulation and its empty circles").id_prefix("lab-07-circles");
     Ok(sketch.figure(&options)?.to_svg())
 }

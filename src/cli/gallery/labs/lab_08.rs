@@ -1,5 +1,6 @@
 //! The figure of lab 08.
 
+use super::dots;
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
@@ -17,9 +18,7 @@ pub(in crate::gallery) fn picture() -> Made<String> {
             sketch.path(Role::Main, ends).solid();
         }
     }
-    for site in SITES {
-        sketch.point(Role::Plain, site);
-    }
+    dots(&mut sketch, Role::Plain, SITES);
     let options = FigureOptions::new("The Voronoi diagram of twelve sites").id_prefix("lab-08-voronoi");
     Ok(sketch.figure(&options)?.to_svg())
 }

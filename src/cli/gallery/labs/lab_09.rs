@@ -1,5 +1,6 @@
 //! The figures of lab 09.
 
+use super::{dots, euler};
 use crate::gallery::Made;
 use crate::gallery::films::strip;
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
@@ -56,9 +57,7 @@ pub(in crate::gallery) fn growth() -> Made<String> {
         for h in solid.half_edges().filter(|&h| h < h.twin()) {
             sketch.path(Role::Main, [at(dcel.origin(h)), at(dcel.destination(h))]).solid();
         }
-        for v in solid.vertices() {
-            sketch.point(Role::Main, at(v));
-        }
+        dots(&mut sketch, Role::Main, solid.vertices().map(at));
     }
     let options = FigureOptions::new("Primitives as they grow").id_prefix("lab-09-growth").width(1100.0);
     Ok(sketch.figure(&options)?.to_svg())
@@ -75,9 +74,7 @@ pub(in crate::gallery) fn film() -> Made<String> {
             let ends = [square.origin(h), square.destination(h)].map(|v| square.point(v));
             sketch.path(Role::Main, ends).key("the new edge");
         }
-        let [v, e, f] = [square.vertex_count(), square.edge_count(), square.face_count()];
-        let text = format!("V - E + F = {v} - {e} + {f} = {}", v as i64 - e as i64 + f as i64);
-        film.over(heading, &text, square, Backdrop::Plain, sketch);
+        film.over(heading, &euler(square), square, Backdrop::Plain, sketch);
     };
     shoot("A ring of four sides", &square, None);
     let first = square.half_edges().find(|&h| square.face(h) != square.outer_face()).ok_or("a square has an inside")?;

@@ -1,11 +1,11 @@
 //! The figures of lab 10.
 
+use super::{dots, euler};
 use crate::gallery::films::strip;
 use crate::gallery::{Made, lesson};
 use dcel_kit::figure::sketch::{Backdrop, Glyph, Multiples, Role, Sketch};
 use dcel_kit::figure::{FigureOptions, SketchFilm};
 use dcel_kit::ids::FaceId;
-use dcel_kit::plane::Subdivision;
 use dcel_kit::solid::{Platonic, Polyhedron};
 
 /// Where a point of space is drawn: seen from the front, from above and a little from the right. y points up.
@@ -26,9 +26,7 @@ fn pair(solid: Platonic, glyph: Glyph) -> Sketch {
     for h in edges() {
         sketch.path(Role::Secondary, [middle(dcel.face(h)), middle(dcel.face(h.twin()))]).solid();
     }
-    for v in solid.vertices() {
-        sketch.point(Role::Main, seen(solid.point(v)));
-    }
+    dots(&mut sketch, Role::Main, solid.vertices().map(|v| seen(solid.point(v))));
     for f in solid.faces() {
         sketch.point(Role::Secondary, middle(f)).glyph(glyph);
     }
@@ -60,20 +58,16 @@ pub(in crate::gallery) fn duals() -> Made<String> {
 pub(in crate::gallery) fn film() -> Made<String> {
     let mut cube = lesson::cube()?;
     let mut film = SketchFilm::new();
-    let counts = |cube: &Subdivision| {
-        let [v, e, f] = [cube.vertex_count(), cube.edge_count(), cube.face_count()];
-        format!("V - E + F = {v} - {e} + {f} = {}", v as i64 - e as i64 + f as i64)
-    };
     loop {
         let goes = cube.half_edges().find(|&h| cube.face(h) != cube.face(h.twin()));
         let mut sketch = Sketch::new();
         let Some(h) = goes else {
-            film.over("One face is left: the edges are a tree", &counts(&cube), &cube, Backdrop::Plain, sketch);
+            film.over("One face is left: the edges are a tree", &euler(&cube), &cube, Backdrop::Plain, sketch);
             return strip(&film, "A film of merged faces", "merge");
         };
         sketch.path(Role::Wrong, [cube.origin(h), cube.destination(h)].map(|v| cube.point(v))).key("goes next");
         let [left, right] = [h, h.twin()].map(|h| cube.face(h));
-        film.over(&format!("{left} and {right} become one"), &counts(&cube), &cube, Backdrop::Plain, sketch);
+        film.over(&format!("{left} and {right} become one"), &euler(&cube), &cube, Backdrop::Plain, sketch);
         cube.join_faces(h)?;
     }
 }

@@ -15,3 +15,19 @@ pub(super) mod lab_08;
 pub(super) mod lab_09;
 pub(super) mod lab_10;
 pub(super) mod lab_11;
+
+use dcel_kit::figure::sketch::{Role, Sketch};
+use dcel_kit::plane::{Point, Subdivision};
+
+/// A dot at each of these places.
+fn dots(sketch: &mut Sketch, role: Role, places: impl IntoIterator<Item: Into<Point>>) {
+    for place in places {
+        sketch.point(role, place);
+    }
+}
+
+/// Euler's formula, with the numbers of a structure.
+fn euler(structure: &Subdivision) -> String {
+    let [v, e, f] = [structure.vertex_count(), structure.edge_count(), structure.face_count()];
+    format!("V - E + F = {v} - {e} + {f} = {}", v as i64 - e as i64 + f as i64)
+}

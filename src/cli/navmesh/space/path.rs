@@ -1,11 +1,12 @@
 //! `dcel navmesh path` on a floor whose heights differ.
 
+use super::super::super::answer::tell;
 use super::super::super::output::point as told;
 use super::super::super::{Answer, Failure, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::extras::Links;
 use super::super::path::Args;
-use super::super::routes::{Linked, Row, WHERE_FACES_TOUCH, answer, choose, tell, tell_linked};
+use super::super::routes::{Linked, Row, WHERE_FACES_TOUCH, answer, choose, print, tell_linked};
 use super::super::tell::faces;
 use super::{End, Ground, Wish, points_of};
 use dcel_kit::FaceMap;
@@ -59,13 +60,9 @@ pub(in super::super) fn run(
     let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
     let rows: Vec<Row> =
         routes.iter().map(|(algorithm, route)| row(ground, *algorithm, route, exact, costs.as_ref())).collect();
-    if args.json {
-        let ends = [start, goal].map(|place| ground.spot(&place));
-        out.json(&answer(&ground.source, None, ends, moved, None::<()>, &rows))?;
-    } else {
-        tell(&rows, out)?;
-    }
-    Ok(Answer::Yes)
+    let ends = [start, goal].map(|place| ground.spot(&place));
+    let answer = answer(&ground.source, None, ends, moved, None::<()>, &rows);
+    tell(&answer, args.json, out, |out| print(&rows, out))
 }
 
 /// Of several places at the ends those of the shortest path. Tells which.

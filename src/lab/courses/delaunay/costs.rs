@@ -11,14 +11,13 @@
 use super::meshes::{slanted, wave};
 use crate::cases::random::Random;
 use crate::fault::{Fault, FaultKind, answered, exchanges};
-use crate::many::too_many_reads;
+use crate::many::{self, too_many_reads};
 use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Pattern, Reply, Start, Step, Value, grouped};
 use std::sync::OnceLock;
 
 /// The cells of the large triangulation in a row, and the rows.
 const CELLS: u32 = 128;
-/// How many questions are asked, and how many reads they have together. The solution needs 14 each.
-const QUESTIONS: usize = 10_000;
+/// How many reads the many questions have together. The solution needs 14 each.
 const BUDGET: u64 = 1_000_000;
 /// How many reads a flip may make. The solution needs 31.
 const READS_OF_A_FLIP: u64 = 500;
@@ -34,23 +33,13 @@ fn large() -> Start {
 
 /// Questions about edges of the large triangulation: single ones at large numbers, then many.
 pub(super) fn questions() -> Case {
-    let mut case = Case::new("is_legal.large", large()).step(Step::Changes);
-    for h in ["h65538", "h65537", "h96002", "h98815"] {
-        case = case.step(Step::call("is_legal", [h]));
-    }
-    case.step(Step::Many { function: "is_legal".to_owned(), count: QUESTIONS, budget: BUDGET })
+    many::questions("is_legal.large", large(), "is_legal", ["h65538", "h65537", "h96002", "h98815"], BUDGET)
 }
 
 /// Flips of long diagonals of the large triangulation: two are looked at closely, of the others only the reads.
 pub(super) fn flips() -> Case {
-    let mut case = Case::new("flip.large", large()).step(Step::Changes);
-    for (i, cell) in [16_000, 11_000, 3_000, 100].into_iter().enumerate() {
-        case = case.step(Step::call("flip", [format!("h{}", 6 * cell + 2)])).step(Step::Reads);
-        if i < 2 {
-            case = case.step(Step::Changes);
-        }
-    }
-    case
+    let call = |cell| Step::call("flip", [format!("h{}", 6 * cell + 2)]);
+    many::looked_at("flip.large", large(), [16_000, 11_000, 3_000, 100].map(call))
 }
 
 /// Triangulations in which many flips are due.

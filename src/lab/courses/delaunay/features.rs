@@ -70,82 +70,79 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
         "flip" => flips(table, edges::asked(exchange)?, &mut set),
         "delaunify" => delaunify(table, &mut set),
         "smallest_angle" => {
-            set.add(Word::StoredAngles as u32, angles::differs_at_stored(table));
-            set.add(Word::Cosine as u32, angles::differs_by_cosine(table));
+            set.add(Word::StoredAngles, angles::differs_at_stored(table));
+            set.add(Word::Cosine, angles::differs_by_cosine(table));
         }
         _ => return None,
     }
-    set.add(Word::OuterNotZero as u32, table.outer_face != Some(FaceId::new(0)));
-    set.add(Word::Alone as u32, table.faces.len() == 2);
-    set.add(Word::Past256 as u32, table.half_edges.len() > 256);
+    set.add(Word::OuterNotZero, table.outer_face != Some(FaceId::new(0)));
+    set.add(Word::Alone, table.faces.len() == 2);
+    set.add(Word::Past256, table.half_edges.len() > 256);
     let places = table.vertices.iter().flatten().filter_map(|row| row.position);
-    set.add(Word::Fine as u32, places.flatten().any(|x| x.fract() != 0.0));
+    set.add(Word::Fine, places.flatten().any(|x| x.fract() != 0.0));
     Some(set.bits())
 }
 
 fn side(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     let outer = edges::outer_half(table, h);
-    set.either(Word::Border as u32, Word::Inner as u32, outer.is_some());
-    set.add(Word::OuterHalf as u32, outer == Some(h));
-    set.add(Word::InnerHalf as u32, outer.is_some() && outer != Some(h));
+    set.either(Word::Border, Word::Inner, outer.is_some());
+    set.add(Word::OuterHalf, outer == Some(h));
+    set.add(Word::InnerHalf, outer.is_some() && outer != Some(h));
 }
 
 fn legal(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     side(table, h, set);
     let across = edges::across(table, h);
-    set.add(Word::Illegal as u32, across.is_some_and(std::cmp::Ordering::is_gt));
-    set.add(Word::OnCircle as u32, across.is_some_and(std::cmp::Ordering::is_eq));
-    set.add(Word::OffCircle as u32, across.is_some_and(std::cmp::Ordering::is_ne));
-    set.add(Word::OutsideCircle as u32, across.is_some_and(std::cmp::Ordering::is_lt));
-    set.add(Word::Doubles as u32, mistakes::rounded_goes_wrong(table, h));
+    set.add(Word::Illegal, across.is_some_and(std::cmp::Ordering::is_gt));
+    set.add(Word::OnCircle, across.is_some_and(std::cmp::Ordering::is_eq));
+    set.add(Word::OffCircle, across.is_some_and(std::cmp::Ordering::is_ne));
+    set.add(Word::OutsideCircle, across.is_some_and(std::cmp::Ordering::is_lt));
+    set.add(Word::Doubles, mistakes::rounded_goes_wrong(table, h));
     let outer = mistakes::outer_goes_wrong(table, h);
     let outer_half = edges::outer_half(table, h);
-    set.add(Word::OuterTriangle as u32, outer);
-    set.add(Word::OuterTriangleInner as u32, outer && outer_half != Some(h));
-    set.add(Word::ZeroOuter as u32, mistakes::zero_goes_wrong(table, h));
-    set.add(Word::Everywhere as u32, mistakes::everywhere_goes_wrong(table, h));
+    set.add(Word::OuterTriangle, outer);
+    set.add(Word::OuterTriangleInner, outer && outer_half != Some(h));
+    set.add(Word::ZeroOuter, mistakes::zero_goes_wrong(table, h));
+    set.add(Word::Everywhere, mistakes::everywhere_goes_wrong(table, h));
 }
 
 fn can_flip(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     side(table, h, set);
     let bends = edges::bends(table, h);
-    set.add(Word::Straight as u32, bends.is_some_and(|(_, turn)| turn.is_eq()));
-    set.add(Word::Reflex as u32, bends.is_some_and(|(_, turn)| turn.is_lt()));
-    set.add(Word::NotConvex as u32, bends.is_some());
+    set.add(Word::Straight, bends.is_some_and(|(_, turn)| turn.is_eq()));
+    set.add(Word::Reflex, bends.is_some_and(|(_, turn)| turn.is_lt()));
+    set.add(Word::NotConvex, bends.is_some());
     let origin = table.origin(h);
-    set.add(Word::BendsAtOrigin as u32, bends.is_some_and(|(v, _)| Some(v) == origin));
-    set.add(Word::BendsAtEnd as u32, bends.is_some_and(|(v, _)| Some(v) != origin));
-    set.add(Word::Convex as u32, bends.is_none() && flip::corners(table, h).is_some());
-    set.add(Word::Illegal as u32, !edges::is_legal(table, h));
+    set.add(Word::BendsAtOrigin, bends.is_some_and(|(v, _)| Some(v) == origin));
+    set.add(Word::BendsAtEnd, bends.is_some_and(|(v, _)| Some(v) != origin));
+    set.add(Word::Convex, bends.is_none() && flip::corners(table, h).is_some());
+    set.add(Word::Illegal, !edges::is_legal(table, h));
 }
 
 fn flips(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     let Some(twin) = table.twin(h) else { return };
     let stores = |h: HalfEdgeId| table.origin(h).is_some_and(|v| table.outgoing(v) == Some(h));
-    set.add(Word::EndStores as u32, stores(h) || stores(twin));
+    set.add(Word::EndStores, stores(h) || stores(twin));
     let leaves = |h: HalfEdgeId| table.face(h).is_some_and(|f| table.half_edge(f) == table.next(h));
-    set.add(Word::FaceStores as u32, leaves(h) || leaves(twin));
+    set.add(Word::FaceStores, leaves(h) || leaves(twin));
     let others = [h, twin].into_iter().flat_map(|h| [table.next(h), table.prev(h)]).flatten();
     let across = |h: HalfEdgeId| table.twin(h).and_then(|twin| table.face(twin));
-    set.add(Word::Beside as u32, others.into_iter().any(|h| across(h) == table.outer_face));
+    set.add(Word::Beside, others.into_iter().any(|h| across(h) == table.outer_face));
     let degree = |v: Option<VertexId>| half_edges(table).filter(|&h| table.origin(h) == v).count();
-    set.add(Word::Degree3 as u32, degree(table.origin(h)) == 3 || degree(table.origin(twin)) == 3);
+    set.add(Word::Degree3, degree(table.origin(h)) == 3 || degree(table.origin(twin)) == 3);
     let places = || table.vertices.iter().flatten().filter_map(|row| row.position);
-    set.add(
-        Word::Blind as u32,
-        places().zip(places().skip(1)).all(|(p, q)| p.map(f64::to_bits) == q.map(f64::to_bits)),
-    );
+    set.add(Word::Blind, places().zip(places().skip(1)).all(|(p, q)| p.map(f64::to_bits) == q.map(f64::to_bits)));
     let mut seen = BTreeSet::new();
     let ends = |h| [table.origin(h), table.twin(h).and_then(|twin| table.origin(twin))];
-    set.add(Word::Odd as u32, !half_edges(table).all(|h| seen.insert(ends(h))));
+    set.add(Word::Odd, !half_edges(table).all(|h| seen.insert(ends(h))));
 }
 
 fn delaunify(table: &Table, set: &mut FeatureSet) {
     let due = edges::due(table).is_some();
-    set.either(Word::Due as u32, Word::AllLegal as u32, due);
+    set.either(Word::Due, Word::AllLegal, due);
     let mut all = half_edges(table);
-    set.add(Word::Cocircular as u32, all.any(|h| edges::across(table, h).is_some_and(std::cmp::Ordering::is_eq)));
-    set.add(Word::OnceDown as u32, mistakes::some_stay(table, Again::Nothing, false));
-    set.add(Word::OnceUp as u32, mistakes::some_stay(table, Again::Nothing, true));
-    set.add(Word::LeftOnly as u32, mistakes::some_stay(table, Again::Left, false));
+    set.add(Word::Cocircular, all.any(|h| edges::across(table, h).is_some_and(std::cmp::Ordering::is_eq)));
+    set.add(Word::OnceDown, mistakes::some_stay(table, Again::Nothing, false));
+    set.add(Word::OnceUp, mistakes::some_stay(table, Again::Nothing, true));
+    set.add(Word::LeftOnly, mistakes::some_stay(table, Again::Left, false));
 }

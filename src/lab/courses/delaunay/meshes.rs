@@ -8,13 +8,14 @@
 
 use super::{flip, mistakes};
 use crate::cases::handouts::SITES;
+use crate::cases::numbers;
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::checks::walks::{blind, half_edges};
 use crate::protocol::{Start, Structure};
 use dcel_kit::plane::predicates::{in_circle, orientation};
 use dcel_kit::plane::{Point, Subdivision};
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -311,22 +312,13 @@ pub(super) fn renumbered(table: &Table, random: &mut Random) -> Table {
     let (of_half_edges, of_faces) = (random.order(table.half_edges.len()), random.order(table.faces.len()));
     let half_edge = |h: HalfEdgeId| HalfEdgeId::new(of_half_edges[h.index()] as u32);
     let face = |f: FaceId| FaceId::new(of_faces[f.index()] as u32);
-    let mut out = table.clone();
-    out.outer_face = table.outer_face.map(face);
+    let mut out = numbers::renumbered(table, |v| v, half_edge, face);
     let (mut starting, mut sides) = (vec![Vec::new(); table.vertices.len()], vec![Vec::new(); table.faces.len()]);
-    for (h, row) in (0..).map(HalfEdgeId::new).zip(&table.half_edges) {
-        let new = row.map(|row| HalfEdgeRow {
-            origin: row.origin,
-            twin: row.twin.map(half_edge),
-            next: row.next.map(half_edge),
-            prev: row.prev.map(half_edge),
-            face: row.face.map(face),
-        });
-        if let Some(HalfEdgeRow { origin: Some(v), face: Some(f), .. }) = new {
-            starting[v.index()].push(half_edge(h));
-            sides[f.index()].push(half_edge(h));
+    for h in half_edges(table).map(half_edge) {
+        if let (Some(v), Some(f)) = (out.origin(h), out.face(h)) {
+            starting[v.index()].push(h);
+            sides[f.index()].push(h);
         }
-        out.half_edges[half_edge(h).index()] = new;
     }
     for (v, row) in out.vertices.iter_mut().enumerate() {
         *row = row.map(|row| VertexRow { outgoing: random.pick(&starting[v]).copied(), ..row });

@@ -6,7 +6,7 @@ use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::wheel;
 use crate::checks::walks::{blind, half_edges};
-use crate::fault::{Exchange, Fault, FaultKind, exchanges};
+use crate::fault::{Exchange, Fault, exchanges};
 use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::Plan;
@@ -68,13 +68,11 @@ impl Judge for Delaunay {
                 }
                 faults
             }
-            "flip" => {
-                let mut faults: Vec<Fault> = exchanges(case, answer).iter().flat_map(flip::judge).collect();
-                faults.extend(costs::judge(test, case, answer));
-                faults
-            }
-            _ => {
-                let mut faults = answers::judge(FUNCTIONS, case, answer);
+            name => {
+                let mut faults: Vec<Fault> = match name {
+                    "flip" => exchanges(case, answer).iter().flat_map(flip::judge).collect(),
+                    _ => answers::judge(FUNCTIONS, case, answer),
+                };
                 faults.extend(costs::judge(test, case, answer));
                 faults
             }
@@ -84,21 +82,17 @@ impl Judge for Delaunay {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.test) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "is_legal") => "is_legal says whether a corner lies inside of the circle across an edge",
-            (_, "can_flip") => "can_flip refuses edges of the border and of quadrilaterals that are not convex",
-            (_, "flip_1_origins") => "flip sets the origins of both halves, and what the vertices refer to",
-            (_, "flip_2_links") => "flip sets next and prev in both triangles",
-            (_, "flip_3_faces") => "flip sets the faces, and what they refer to",
-            (_, "delaunify") => "delaunify flips edges that are not legal until all are, and tells which",
-            (_, costs::LARGE) => "delaunify looks again at the edges round a flip, and at no others",
-            (_, "smallest_angle") => "smallest_angle is the smallest angle of all triangles",
+        fault.kind.unfinished().unwrap_or(match fault.test {
+            "is_legal" => "is_legal says whether a corner lies inside of the circle across an edge",
+            "can_flip" => "can_flip refuses edges of the border and of quadrilaterals that are not convex",
+            "flip_1_origins" => "flip sets the origins of both halves, and what the vertices refer to",
+            "flip_2_links" => "flip sets next and prev in both triangles",
+            "flip_3_faces" => "flip sets the faces, and what they refer to",
+            "delaunify" => "delaunify flips edges that are not legal until all are, and tells which",
+            costs::LARGE => "delaunify looks again at the edges round a flip, and at no others",
+            "smallest_angle" => "smallest_angle is the smallest angle of all triangles",
             _ => "the picture shows the edges, the circles and the sites",
-        }
+        })
     }
 
     fn expected(&self, exchange: &Exchange) -> Option<Table> {
@@ -138,17 +132,13 @@ fn random(name: &str, case: CaseOf, seed: u64, count: usize) -> Vec<Case> {
 }
 
 /// Half of the triangulations are told by points and corners, the others by records whose numbers mean nothing.
-fn start(mesh: &Mesh, order: &mut Random) -> (Start, Option<Table>) {
-    if order.below(2) == 0 {
-        return (mesh.start(), None);
-    }
-    let table = renumbered(&mesh.table(), order);
-    (Start::table(table.clone()), Some(table))
+fn start(mesh: &Mesh, order: &mut Random) -> Start {
+    if order.below(2) == 0 { mesh.start() } else { Start::table(renumbered(&mesh.table(), order)) }
 }
 
 /// Questions about half-edges: in a small triangulation about all of them.
 fn asks(function: &str, mesh: &Mesh, order: &mut Random) -> Case {
-    let (start, _) = start(mesh, order);
+    let start = start(mesh, order);
     let count = mesh.table().half_edges.len();
     ask(Case::new(format!("{function}.{}", mesh.name), start), function, count)
 }
@@ -182,7 +172,7 @@ fn flips_of(name: String, start: Start, table: &Table) -> Case {
 
 /// One call for the whole triangulation.
 fn whole(function: &str, mesh: &Mesh, order: &mut Random) -> Case {
-    let (start, _) = start(mesh, order);
+    let start = start(mesh, order);
     let case = Case::new(format!("{function}.{}", mesh.name), start).step(Step::Dump).step(Step::of_line(function));
     if function == "delaunify" { case.step(Step::Dump) } else { case }
 }

@@ -11,7 +11,7 @@
 use super::walk;
 use crate::cases::starts::grid;
 use crate::fault::{Fault, FaultKind, answered};
-use crate::many::too_many_reads;
+use crate::many::{self, too_many_reads};
 use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, Structure, grouped};
 use dcel_kit::topology::Table;
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
@@ -26,8 +26,7 @@ pub(super) fn small_grid() -> Start {
     grid(20, 15)
 }
 
-/// How many questions are asked, and how many reads they have together. The solution needs a tenth of it.
-const QUESTIONS: usize = 10_000;
+/// How many reads the many questions have together. The solution needs a tenth of it.
 const BUDGET: u64 = 1_000_000;
 /// How many reads a split of a cell, or of an edge, may make. The solution needs 32.
 const READS_OF_A_SPLIT: u64 = 2_000;
@@ -41,25 +40,17 @@ pub(super) fn questions(name: &str, function: &str, letter: char) -> Case {
         'v' => &[22_800, 22_649, 400],
         _ => &[90_599, 65_537, 90_000],
     };
-    let mut case = Case::new(format!("{name}.large"), large_grid()).step(Step::Changes);
-    case.steps.extend(single.iter().map(|number| Step::call(function, [format!("{letter}{number}")])));
-    case.step(Step::Many { function: function.to_owned(), count: QUESTIONS, budget: BUDGET })
+    let single = single.iter().map(|number| format!("{letter}{number}"));
+    many::questions(&format!("{name}.large"), large_grid(), function, single, BUDGET)
 }
 
 /// Splits in the large grid: two are looked at closely, of the others only the reads are counted.
 pub(super) fn splits(name: &str, function: &str) -> Case {
-    let mut case = Case::new(format!("{name}.large"), large_grid()).step(Step::Changes);
-    for (i, h) in AT.iter().enumerate() {
-        let words = match function {
-            "split_face" => vec![format!("h{h}"), format!("h{h}.next.next")],
-            _ => vec![format!("h{h}")],
-        };
-        case = case.step(Step::call(function, words)).step(Step::Reads);
-        if i < 2 {
-            case = case.step(Step::Changes);
-        }
-    }
-    case
+    let call = |h| match function {
+        "split_face" => Step::call(function, [format!("h{h}"), format!("h{h}.next.next")]),
+        _ => Step::call(function, [format!("h{h}")]),
+    };
+    many::looked_at(&format!("{name}.large"), large_grid(), AT.map(call))
 }
 
 /// What is wrong with the numbers of reads in a case.

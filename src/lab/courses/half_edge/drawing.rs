@@ -1,16 +1,15 @@
 //! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
 //! and as a picture.
 
-use crate::checks::walks::cycle;
+use crate::checks::walks::{cycle, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
-use crate::pictures;
+use crate::pictures::{self, Plain};
 use crate::protocol::{Case, CaseAnswer};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
 use dcel_kit::topology::{IsomorphismOptions, Table, View, isomorphic_with, position_key, violations};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// The graded tests: of the structure, and of the picture that the student's program makes of it.
 pub(super) const TESTS: [&str; 2] = ["drawing", "drawing_svg"];
@@ -43,29 +42,22 @@ pub(super) fn judge(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
 /// The drawing as the student's program should draw it, with the coordinates that it writes: y points down in a file.
 /// (The reference figure shows the same in px of its canvas, which would be strange numbers in a message.)
 fn plain_picture(table: &Table) -> String {
-    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-270 -170 540 340\">\n".to_owned();
+    let mut out = Plain::new("-270 -170 540 340");
     let at = |h: HalfEdgeId| table.origin(h).map(|v| place(table, v)).unwrap_or_default();
     for (f, row) in table.faces.iter().enumerate() {
         let boundary =
             row.as_ref().and_then(|row| row.half_edge).filter(|_| table.outer_face != Some(FaceId::new(f as u32)));
-        let corners = boundary.map_or_else(Vec::new, |h| cycle(table, h)).into_iter().map(at);
-        let corners: Vec<String> = corners.map(|[x, y]| format!("{x},{}", 0.0 - y)).collect();
-        if !corners.is_empty() {
-            let _ = writeln!(out, "<polygon points=\"{}\" fill=\"#dddddd\"/>", corners.join(" "));
+        if let Some(h) = boundary {
+            out.face(cycle(table, h).into_iter().map(at));
         }
     }
-    for h in (0..table.half_edges.len() as u32).map(HalfEdgeId::new) {
+    for h in half_edges(table) {
         if let Some(twin) = table.twin(h).filter(|&twin| h < twin) {
-            let ([x1, y1], [x2, y2]) = (at(h), at(twin));
-            let (y1, y2) = (0.0 - y1, 0.0 - y2);
-            let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
+            out.edge(at(h), at(twin));
         }
     }
-    for v in (0..table.vertices.len() as u32).map(VertexId::new) {
-        let [x, y] = place(table, v);
-        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
-    }
-    out + "</svg>\n"
+    (0..table.vertices.len() as u32).for_each(|v| out.vertex(place(table, VertexId::new(v))));
+    out.svg()
 }
 
 fn faults(exchange: &Exchange) -> Vec<Fault> {

@@ -137,30 +137,11 @@ crate::features! {
     IsSplitInHalf "is_split_in_half" "split_in_half is called",
 }
 
-/// A set of features.
-#[derive(Default)]
-struct Set(FeatureSet);
-
-impl Set {
-    fn add(&mut self, word: Word, holds: bool) {
-        self.0.add(word as u32, holds);
-    }
-
-    /// One or the other.
-    fn either(&mut self, yes: Word, no: Word, holds: bool) {
-        self.0.either(yes as u32, no as u32, holds);
-    }
-
-    fn more(&mut self, ids: &str, count: usize) {
-        self.0.more(VOCABULARY, ids, count);
-    }
-}
-
 /// What holds of a call. `earlier` are the calls before it in the same sequence.
 pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let (before, arguments) = (exchange.before()?, exchange.called?.0);
-    let mut set = Set::default();
-    let of_table = |set: &mut Set| whole(set, before);
+    let mut set = FeatureSet::default();
+    let of_table = |set: &mut FeatureSet| whole(set, before);
     match (exchange.function, arguments) {
         ("split_face", &[h1, h2]) => {
             of_table(&mut set);
@@ -182,12 +163,12 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     set.add(Word::Later, !earlier.is_empty());
     set.add(Word::AfterHalf, was("split_in_half"));
     set.add(Word::AfterSplit, was("split_face"));
-    Some(set.0.bits())
+    Some(set.bits())
 }
 
-fn whole(set: &mut Set, table: &Table) {
-    set.more("faces_N_more", table.faces.len());
-    set.more("vertices_N_more", table.vertices.len());
+fn whole(set: &mut FeatureSet, table: &Table) {
+    set.more(VOCABULARY, "faces_N_more", table.faces.len());
+    set.more(VOCABULARY, "vertices_N_more", table.vertices.len());
     set.add(Word::Half255, table.half_edges.len() > 256);
     let mut places = table.vertices.iter().flatten().map(|row| row.position);
     let first = places.next();
@@ -199,17 +180,17 @@ fn degree(table: &Table, v: VertexId) -> usize {
 }
 
 /// The features of a face, whose half-edges are given.
-fn loop_of(set: &mut Set, table: &Table, f: FaceId, walk: &[HalfEdgeId]) {
+fn loop_of(set: &mut FeatureSet, table: &Table, f: FaceId, walk: &[HalfEdgeId]) {
     set.either(Word::Outer, Word::Bounded, table.outer_face == Some(f));
     let origins: BTreeSet<Option<VertexId>> = walk.iter().map(|&h| table.origin(h)).collect();
     set.add(Word::Twice, origins.len() < walk.len());
     let has_own_twin = |h: &HalfEdgeId| table.twin(*h).is_some_and(|twin| table.face(twin) == Some(f));
     set.add(Word::FaceBridge, walk.iter().any(has_own_twin));
     set.add(Word::FaceDangling, walk.iter().any(|&h| table.next(h).is_some() && table.next(h) == table.twin(h)));
-    set.more("face_N_more", walk.len());
+    set.more(VOCABULARY, "face_N_more", walk.len());
 }
 
-fn face(set: &mut Set, table: &Table, f: FaceId) {
+fn face(set: &mut FeatureSet, table: &Table, f: FaceId) {
     let Some(stored) = table.half_edge(f) else { return };
     let walk = cycle(table, stored);
     loop_of(set, table, f, &walk);
@@ -220,12 +201,12 @@ fn face(set: &mut Set, table: &Table, f: FaceId) {
     set.add(Word::NotRising, !from_least.is_sorted());
 }
 
-fn vertex(set: &mut Set, table: &Table, v: VertexId) {
+fn vertex(set: &mut FeatureSet, table: &Table, v: VertexId) {
     let Some(stored) = table.outgoing(v) else { return };
     let spokes = star(table, stored);
     set.add(Word::VertexAlone, spokes.len() == 1);
     set.add(Word::Vertex2, spokes.len() == 2);
-    set.more("degree_N_more", spokes.len());
+    set.more(VOCABULARY, "degree_N_more", spokes.len());
     let faces: BTreeSet<Option<FaceId>> = spokes.iter().map(|&h| table.face(h)).collect();
     let is_triangle = |&h: &HalfEdgeId| cycle_of_three(table, h);
     set.add(Word::NotTriangle, !spokes.iter().all(is_triangle));
@@ -241,7 +222,7 @@ fn cycle_of_three(table: &Table, h: HalfEdgeId) -> bool {
 }
 
 /// The features of a half-edge and its edge; they are also those of splitting it.
-fn half_edge(set: &mut Set, table: &Table, h: HalfEdgeId) {
+fn half_edge(set: &mut FeatureSet, table: &Table, h: HalfEdgeId) {
     let rows = || table.half_edges.iter().flatten();
     set.add(Word::NoTwins, rows().all(|row| row.twin.is_none()));
     set.add(Word::NoLinks, rows().all(|row| row.next.is_none() && row.prev.is_none()));
@@ -269,7 +250,7 @@ fn half_edge(set: &mut Set, table: &Table, h: HalfEdgeId) {
     }
 }
 
-fn midpoint(set: &mut Set, table: &Table, h: HalfEdgeId) {
+fn midpoint(set: &mut FeatureSet, table: &Table, h: HalfEdgeId) {
     let place = |v: Option<VertexId>| table.vertices.get(v?.index()).copied().flatten()?.position;
     let ends = (place(table.origin(h)), place(table.twin(h).and_then(|twin| table.origin(twin))));
     let (Some(p), Some(q)) = ends else { return };
@@ -283,7 +264,7 @@ fn midpoint(set: &mut Set, table: &Table, h: HalfEdgeId) {
     set.add(Word::FarFraction, middle.iter().any(|x| (x * 65_536.0).fract() != 0.0));
 }
 
-fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option<()> {
+fn split_face(set: &mut FeatureSet, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option<()> {
     let legal = may_split_face(table, h1, h2);
     set.either(Word::Legal, Word::Illegal, legal == Legal::Yes);
     set.add(Word::Same, h1 == h2);
@@ -343,6 +324,6 @@ fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option
     set.add(Word::NewMeets2, meets(o2, i2, new) > 1);
     set.add(Word::OldMeets1, meets(o1, i1, walk.len() - new) > 1);
     set.add(Word::OldMeets2, meets(o2, i1, walk.len() - new) > 0);
-    set.more("new_N_more", gets);
+    set.more(VOCABULARY, "new_N_more", gets);
     Some(())
 }

@@ -48,13 +48,8 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
 /// A case that dumps after every call. `calls` are lines such as `split_face h0 h4`.
 pub(super) fn sequence(name: &str, start: Start, calls: &[&str]) -> Case {
     let dump = start.dump();
-    let mut case = Case::new(name, start).step(dump.clone());
-    for call in calls {
-        let mut words = call.split(' ');
-        let function = words.next().unwrap_or_default();
-        case = case.step(Step::call(function, words)).step(dump.clone());
-    }
-    case
+    let calls = calls.iter().map(|call| Step::of_line(call));
+    Case::new(name, start).step(dump.clone()).calls(calls, &[dump])
 }
 
 /// A random sequence, on a start that a student can type.

@@ -142,9 +142,7 @@ fn corners(start: &Start) -> Option<usize> {
 
 fn sequence(name: &str, start: Start, calls: &[Step]) -> Case {
     let dump = start.dump();
-    let after = calls.iter().flat_map(|call| [call.clone(), dump.clone()]);
-    let steps = [dump.clone()].into_iter().chain(after).collect();
-    Case { name: name.to_owned(), start, steps }
+    Case::new(name, start).step(dump.clone()).calls(calls.iter().cloned(), &[dump])
 }
 
 /// The start itself and those with fewer corners.

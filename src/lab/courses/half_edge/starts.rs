@@ -13,10 +13,11 @@
 
 use super::spec;
 use crate::cases::cycles::from_cycles;
+use crate::cases::numbers::renumbered;
 use crate::cases::random::Random;
 use crate::cases::starts::polygon;
 use crate::protocol::Start;
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
+use dcel_kit::topology::{FaceRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 /// A square with an edge from one corner into it that ends nowhere.
@@ -150,15 +151,7 @@ pub(super) fn window() -> Table {
 pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
     let order = random.order(table.half_edges.len());
     let name = |h: HalfEdgeId| HalfEdgeId::new(order[h.index()] as u32);
-    let mut out = table.clone();
-    for (h, row) in table.half_edges.iter().enumerate() {
-        out.half_edges[order[h]] = row.map(|row| HalfEdgeRow {
-            twin: row.twin.map(name),
-            next: row.next.map(name),
-            prev: row.prev.map(name),
-            ..row
-        });
-    }
+    let mut out = renumbered(table, |v| v, name, |f| f);
     let half_edges = || (0..out.half_edges.len() as u32).map(HalfEdgeId::new);
     for (v, row) in out.vertices.clone().iter().enumerate() {
         let v = VertexId::new(v as u32);

@@ -13,9 +13,9 @@ use super::starts::{odd, rectangle, relabelled, rounding, window};
 use super::{drawing, features, sequences, split_face, split_in_half, walk, walks};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
-use crate::checks::walks::{blind, half_edges};
+use crate::checks::walks::{BLIND, IN_THE_BLIND, blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Judge, Source, Suite, ToldBy};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::Element;
@@ -25,12 +25,6 @@ use dcel_kit::topology::{HalfEdgeRow, Table};
 const RANDOM: (usize, usize) = (16, 10);
 /// How many small structures are asked with other names, too.
 const RELABELLED: usize = 8;
-
-/// What the names of cases say in which all vertices are at one place.
-const BLIND: &str = ".blind";
-/// What is added to every fault of such a case.
-const IN_THE_BLIND: &str =
-    " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
 /// The judge of lab 04.
 pub struct HalfEdge;
@@ -217,24 +211,23 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
     starts.push((format!("window{BLIND}"), table(blind(&window())), [5, 9, 24]));
     starts.push(("wheel".to_owned(), wheel(40), [3, 3, 9]));
     starts.push(("convex".to_owned(), convex(300), [2, 2, 4]));
+    let call = |number: usize| Step::call(function, [format!("{letter}{number}")]);
     for (start_name, start, [faces, vertices, half_edges]) in starts {
         let count = match letter {
             'f' => faces,
             'v' => vertices,
             _ => half_edges,
         };
-        let mut case = Case::new(format!("{name}.{start_name}"), start).step(Step::Dump);
-        case.steps.extend((0..count).map(|i| Step::call(function, [format!("{letter}{i}")])));
-        cases.push(case);
+        let case = Case::new(format!("{name}.{start_name}"), start).step(Step::Dump);
+        cases.push(case.calls((0..count).map(call), &[]));
     }
-    let mut grid = Case::new(format!("{name}.grid"), small_grid()).step(Step::Dump);
+    let grid = Case::new(format!("{name}.grid"), small_grid()).step(Step::Dump);
     let far = match letter {
         'f' => [0, 256, 257, 300],
         'v' => [255, 256, 257, 335],
         _ => [255, 256, 600, 1269],
     };
-    grid.steps.extend(far.map(|number| Step::call(function, [format!("{letter}{number}")])));
-    cases.push(grid);
+    cases.push(grid.calls(far.map(call), &[]));
     cases.push(costs::questions(name, function, letter));
     // The two ways to a destination are two: each must do without the pointers of the other.
     let without: Option<fn(&mut HalfEdgeRow)> = match function {
@@ -274,17 +267,13 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("grid_outside", small_grid(), "h1 h41"),
     ];
     for (name, structure) in structures {
-        let mut case =
-            Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
+        let case = Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump);
         let pairs = half_edges(structure).flat_map(|h1| half_edges(structure).map(move |h2| (h1, h2)));
         let mut asked: Vec<_> =
             pairs.map(|(h1, h2)| (may_split_face(structure, h1, h2) == Legal::Yes, h1, h2)).collect();
         // Those to be refused first: as long as the structure stays the same, it is printed once.
         asked.sort_unstable();
-        for (_, h1, h2) in asked {
-            case.steps.extend([Step::call("split_face", [h1, h2]), Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        cases.push(case.each_alone(asked.into_iter().map(|(_, h1, h2)| Step::call("split_face", [h1, h2]))));
     }
     cases
 }
@@ -302,19 +291,12 @@ fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("grid", small_grid(), "h1200"),
     ];
     for (i, start) in rounding().into_iter().enumerate() {
-        let mut case = Case::new(format!("split_in_half.rounding.{i}"), start).step(Step::Dump).step(Step::Save);
-        for h in 0..3 {
-            case.steps.extend([Step::call("split_in_half", [format!("h{}", 2 * h)]), Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        let case = Case::new(format!("split_in_half.rounding.{i}"), start).step(Step::Dump);
+        cases.push(case.each_alone(["h0", "h2", "h4"].map(|h| Step::call("split_in_half", [h]))));
     }
     for (name, structure) in structures {
-        let mut case =
-            Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
-        for h in half_edges(structure) {
-            case.steps.extend([Step::call("split_in_half", [h]), Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        let case = Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump);
+        cases.push(case.each_alone(half_edges(structure).map(|h| Step::call("split_in_half", [h]))));
     }
     cases
 }
@@ -447,20 +429,17 @@ fn sequence_cases(
     let mut named: Vec<Case> = named.collect();
     named.push(costs::splits(name, if weights[1] == 0 { "split_face" } else { "split_in_half" }));
     let mut asked = Asked::fixed(named);
+    let cases = |seed: u64, stream: &str, count: usize, mix: Mix| -> Vec<Case> {
+        let mut numbers = Random::new(seed, name);
+        (0..count).map(|i| random(&format!("{name}.{stream}.{i}"), mix, &mut numbers)).collect()
+    };
     let (count, calls) = RANDOM;
-    let mut numbers = Random::new(plan.seed, name);
-    asked.extend((0..count).map(|i| Asked {
-        case: random(&format!("{name}.random.{i}"), Mix { calls, weights }, &mut numbers),
-        source: Source::Random,
-    }));
+    asked.extend(Asked::random(cases(plan.seed, "random", count, Mix { calls, weights })));
     if let Some(secret) = &plan.secret {
-        let mut numbers = Random::new(secret.seed, name);
         let weights =
             if weights[1] == 0 { weights } else { [secret.weight("split_face"), secret.weight("split_in_half")] };
-        asked.extend((0..secret.sequences).map(|i| Asked {
-            case: random(&format!("{name}.hidden.{i}"), Mix { calls: secret.calls, weights }, &mut numbers),
-            source: Source::Hidden,
-        }));
+        let mix = Mix { calls: secret.calls, weights };
+        asked.extend(Asked::hidden(cases(secret.seed, "hidden", secret.sequences, mix)));
     }
     asked
 }

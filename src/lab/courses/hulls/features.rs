@@ -75,7 +75,6 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
 fn of_points(function: &str, points: &[Point], set: &mut FeatureSet) {
     let hull = hull(points);
     let n = hull.len();
-    let add = |set: &mut FeatureSet, word: Word, holds| set.add(word as u32, holds);
     let mut sorted = points.to_vec();
     sorted.sort_by(|p, q| left_to_right(*p, *q));
     let is_on = |p: &Point, i: usize| {
@@ -88,31 +87,31 @@ fn of_points(function: &str, points: &[Point], set: &mut FeatureSet) {
     let is_few = points.len() <= 400;
     // A mistake of one algorithm says nothing of the other.
     let (is_scan, is_gift) = (is_few && function == "graham_scan", is_few && function == "gift_wrapping");
-    add(set, Word::ScanOne, is_scan && other(mistakes::scan(points, Scan::AtMostOne)));
-    add(set, Word::ScanByX, is_scan && other(mistakes::scan(points, Scan::ByX)));
-    add(set, Word::GiftInLine, is_gift && other(mistakes::gift(points, Gift::AnyInLine)));
-    add(set, Word::GiftLeftmost, is_gift && other(mistakes::gift(points, Gift::AnyLeftmost)));
-    add(set, Word::Tiny, n > 1 && points.iter().all(|p| p.x.abs() < 1e-12 && p.y.abs() < 1e-12));
-    add(set, Word::Area, n > 2);
-    add(set, Word::TwoPlaces, n > 1);
+    set.add(Word::ScanOne, is_scan && other(mistakes::scan(points, Scan::AtMostOne)));
+    set.add(Word::ScanByX, is_scan && other(mistakes::scan(points, Scan::ByX)));
+    set.add(Word::GiftInLine, is_gift && other(mistakes::gift(points, Gift::AnyInLine)));
+    set.add(Word::GiftLeftmost, is_gift && other(mistakes::gift(points, Gift::AnyLeftmost)));
+    set.add(Word::Tiny, n > 1 && points.iter().all(|p| p.x.abs() < 1e-12 && p.y.abs() < 1e-12));
+    set.add(Word::Area, n > 2);
+    set.add(Word::TwoPlaces, n > 1);
     let ends = sorted.first().zip(sorted.last());
-    add(set, Word::UpperSide, ends.is_some_and(|(a, b)| hull.iter().any(|p| orientation(*a, *b, *p).is_gt())));
-    add(set, Word::NoPoint, points.is_empty());
-    add(set, Word::OnePlace, n == 1);
-    add(set, Word::OneLine, n == 2);
-    add(set, Word::Equal, sorted.windows(2).any(|pair| pair[0] == pair[1]));
-    add(set, Word::OnSide, few.iter().any(|p| (0..n).any(|i| is_on(p, i))));
-    add(set, Word::OnLastSide, n > 2 && few.iter().any(|p| is_on(p, n - 1)));
+    set.add(Word::UpperSide, ends.is_some_and(|(a, b)| hull.iter().any(|p| orientation(*a, *b, *p).is_gt())));
+    set.add(Word::NoPoint, points.is_empty());
+    set.add(Word::OnePlace, n == 1);
+    set.add(Word::OneLine, n == 2);
+    set.add(Word::Equal, sorted.windows(2).any(|pair| pair[0] == pair[1]));
+    set.add(Word::OnSide, few.iter().any(|p| (0..n).any(|i| is_on(p, i))));
+    set.add(Word::OnLastSide, n > 2 && few.iter().any(|p| is_on(p, n - 1)));
     let several = |by: fn(&Point) -> f64| {
         let least = points.iter().map(by).fold(f64::INFINITY, f64::min);
         points.iter().filter(|p| by(p) <= least).count() > 1
     };
-    add(set, Word::Leftmost, several(|p| p.x));
-    add(set, Word::Lowest, several(|p| p.y));
-    add(set, Word::FirstInside, points.first().is_some_and(|p| !hull.contains(p)));
-    add(set, Word::Near, points.len() <= 60 && is_near(points));
-    add(set, Word::ManyCorners, n > 8);
-    add(set, Word::ManyPoints, points.len() > 100);
+    set.add(Word::Leftmost, several(|p| p.x));
+    set.add(Word::Lowest, several(|p| p.y));
+    set.add(Word::FirstInside, points.first().is_some_and(|p| !hull.contains(p)));
+    set.add(Word::Near, points.len() <= 60 && is_near(points));
+    set.add(Word::ManyCorners, n > 8);
+    set.add(Word::ManyPoints, points.len() > 100);
 }
 
 /// Whether plain doubles get the turn of some three points wrong.
@@ -134,19 +133,18 @@ fn of_a_point(exchange: &Exchange, set: &mut FeatureSet) -> Option<()> {
     let n = corners.len();
     let tangents = from_point(&corners, p);
     let ends = |i: usize| (corners[i].place, corners[(i + 1) % n].place);
-    let mut add = |word: Word, holds| set.add(word as u32, holds);
-    add(Word::NotOutside, tangents.is_none());
+    set.add(Word::NotOutside, tangents.is_none());
     let on_line = |i: usize| n > 1 && orientation(ends(i).0, ends(i).1, p).is_eq();
     let is_on = |i: usize| on_line(i) && is_between(ends(i).0, p, ends(i).1);
-    add(Word::OnBorder, (0..n).any(is_on));
-    add(Word::OnSideLine, tangents.is_some() && (0..n).any(on_line));
-    add(Word::FirstMet, tangents.is_some() && mistakes::first_met(&corners, p) != tangents);
-    add(Word::LastSide, mistakes::only_last_side(&corners, p));
-    add(Word::TwoTangents, tangents.is_some_and(|[right, left]| right != left));
-    add(Word::GivenTouches, tangents.is_some_and(|ends| ends.contains(&corners[0].number)));
-    add(Word::FewCorners, n < 3);
-    add(Word::OneCorner, n == 1);
-    add(Word::Large, n > 8);
+    set.add(Word::OnBorder, (0..n).any(is_on));
+    set.add(Word::OnSideLine, tangents.is_some() && (0..n).any(on_line));
+    set.add(Word::FirstMet, tangents.is_some() && mistakes::first_met(&corners, p) != tangents);
+    set.add(Word::LastSide, mistakes::only_last_side(&corners, p));
+    set.add(Word::TwoTangents, tangents.is_some_and(|[right, left]| right != left));
+    set.add(Word::GivenTouches, tangents.is_some_and(|ends| ends.contains(&corners[0].number)));
+    set.add(Word::FewCorners, n < 3);
+    set.add(Word::OneCorner, n == 1);
+    set.add(Word::Large, n > 8);
     Some(())
 }
 
@@ -158,32 +156,31 @@ fn of_two(exchange: &Exchange, set: &mut FeatureSet) -> Option<()> {
     let hull = hull(&places);
     let last = *first.iter().max_by(|c, d| left_to_right(c.place, d.place))?;
     let begin = *second.iter().min_by(|c, d| left_to_right(c.place, d.place))?;
-    let mut add = |word: Word, holds| set.add(word as u32, holds);
     for (word, wrong) in
         [(Word::FromGiven, Walk::FromGiven), (Word::NotPast, Walk::NotPast), (Word::OnceEach, Walk::OnceEach)]
     {
-        add(word, mistakes::walk_differs(&first, &second, wrong)?);
+        set.add(word, mistakes::walk_differs(&first, &second, wrong)?);
     }
-    add(Word::Differ, tangents[0] != tangents[1]);
-    add(Word::Single, first.len() == 1 || second.len() == 1);
-    add(Word::Pair, first.len() < 3 || second.len() < 3);
+    set.add(Word::Differ, tangents[0] != tangents[1]);
+    set.add(Word::Single, first.len() == 1 || second.len() == 1);
+    set.add(Word::Pair, first.len() < 3 || second.len() < 3);
     let place = |number: u32| all.iter().find(|c| c.number == number).map(|c| c.place);
     let in_line = tangents.iter().any(|&[a, b]| {
         let (Some(a), Some(b)) = (place(a), place(b)) else { return false };
         places.iter().filter(|p| orientation(a, b, **p).is_eq()).count() > 2
     });
-    add(Word::InLine, in_line);
-    add(Word::AllInLine, hull.len() < 3);
-    add(Word::SameX, last.place.x >= begin.place.x);
-    add(Word::GivenFirst, first[0] != last);
-    add(Word::GivenSecond, second[0] != begin);
+    set.add(Word::InLine, in_line);
+    set.add(Word::AllInLine, hull.len() < 3);
+    set.add(Word::SameX, last.place.x >= begin.place.x);
+    set.add(Word::GivenFirst, first[0] != last);
+    set.add(Word::GivenSecond, second[0] != begin);
     let gone = [first[0], second[0]].map(|c| !hull.contains(&c.place));
-    add(Word::GivenGone, gone[0]);
-    add(Word::BothGone, gone[0] && gone[1]);
+    set.add(Word::GivenGone, gone[0]);
+    set.add(Word::BothGone, gone[0] && gone[1]);
     let [lower, upper] = tangents.map(|[a, b]| a != last.number && b != begin.number);
-    add(Word::LowerTurns, lower);
-    add(Word::UpperTurns, upper);
-    add(Word::Large, first.len() > 8 || second.len() > 8);
+    set.add(Word::LowerTurns, lower);
+    set.add(Word::UpperTurns, upper);
+    set.add(Word::Large, first.len() > 8 || second.len() > 8);
     Some(())
 }
 

@@ -1,5 +1,6 @@
 //! Points and linked corners, as a program of this lab prints them.
 
+use crate::cases::corners;
 use crate::protocol::{Cell, ColumnSchema, RecordSchema, Records, TableSchema};
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::{left_to_right, orientation};
@@ -10,25 +11,15 @@ pub(super) static SCHEMA: RecordSchema = RecordSchema {
     singles: &[],
     tables: &[
         TableSchema { word: "point", letter: 'p', columns: &[ColumnSchema::Number("x"), ColumnSchema::Number("y")] },
-        TableSchema {
-            word: "corner",
-            letter: 'c',
-            columns: &[
-                ColumnSchema::Number("x"),
-                ColumnSchema::Number("y"),
-                ColumnSchema::Link("next", 'c'),
-                ColumnSchema::Link("prev", 'c'),
-            ],
-        },
+        corners::CORNERS,
     ],
 };
 
 /// The tables by their places in the schema.
 const POINTS: usize = 0;
 const CORNERS: usize = 1;
-/// The fields of a corner that are links.
-pub(super) const NEXT: usize = 2;
-pub(super) const PREV: usize = 3;
+
+pub(super) use corners::{NEXT, PREV};
 
 /// A corner with its number.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -43,8 +34,7 @@ pub(super) fn points(records: &Records) -> Vec<Point> {
 }
 
 fn place(row: &[Cell]) -> Point {
-    let number = |i: usize| row.get(i).and_then(|cell| cell.number()).unwrap_or_default();
-    Point::new(number(0), number(1))
+    corners::place(row).unwrap_or_default().into()
 }
 
 /// A link of a corner.
@@ -54,25 +44,14 @@ pub(super) fn link(records: &Records, corner: u32, which: usize) -> Option<u32> 
 
 /// The corners of a polygon, by next; `None` if that does not come back.
 pub(super) fn cycle(records: &Records, first: u32) -> Option<Vec<Corner>> {
-    let mut out = Vec::new();
-    let mut number = first;
-    while out.len() < records.len(CORNERS) {
-        out.push(Corner { number, place: place(records.row(CORNERS, number as usize)?) });
-        number = link(records, number, NEXT)?;
-        if number == first {
-            return Some(out);
-        }
-    }
-    None
+    let corner = |number: u32| Some(Corner { number, place: place(records.row(CORNERS, number as usize)?) });
+    corners::cycle(records, CORNERS, first)?.into_iter().map(corner).collect()
 }
 
 /// Adds a polygon to records; its corners are numbered on.
-pub(super) fn add(records: &mut Records, corners: &[Point]) {
-    let (first, n) = (records.len(CORNERS), corners.len());
-    for (i, p) in corners.iter().enumerate() {
-        let link = |to: usize| Cell::Link(Some((first + to % n) as u32));
-        records.push(CORNERS, &[Cell::Number(p.x), Cell::Number(p.y), link(i + 1), link(i + n - 1)]);
-    }
+pub(super) fn add(records: &mut Records, polygon: &[Point]) {
+    let places: Vec<[f64; 2]> = polygon.iter().map(|p| [p.x, p.y]).collect();
+    corners::push(records, CORNERS, &places);
 }
 
 /// Adds points to records.

@@ -8,7 +8,7 @@ use super::starts::{
 use super::{features, hull, merge, picture, tangents};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
-use crate::fault::{Fault, FaultKind};
+use crate::fault::Fault;
 use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
 use crate::plan::{Plan, Secret};
@@ -19,6 +19,8 @@ use dcel_kit::plane::Point;
 const RANDOM: usize = 24;
 /// How many points the scan is asked for, to see how its time grows.
 const MANY: usize = 300_000;
+/// The function that has a hull made of two, and its test.
+const HALVES: &str = "hull_by_halves";
 
 /// The judge of lab 03.
 pub struct Hulls;
@@ -54,7 +56,7 @@ impl Judge for Hulls {
         suites.push(tangent_suite(&["tangents_odd"], &with_an_odd_point(), true, plan));
         suites.push(pair_suite(&["common_tangents"], plan));
         suites.push(pair_suite(&["merge"], plan));
-        suites.push(Suite::of(&["hull_by_halves"], Asked::fixed(halves_cases())));
+        suites.push(Suite::of(&[HALVES], Asked::fixed(halves_cases())));
         let drawn = Case::new("picture", Start::line("handout")).step(Step::Dump).step(Step::Svg);
         suites.push(Suite::of(&["picture"], Asked::fixed([drawn])));
         suites
@@ -68,7 +70,7 @@ impl Judge for Hulls {
         let functions = [
             Function { word: "gift_wrapping", test, wrong: hull::wrong },
             Function { word: "graham_scan", test, wrong: hull::wrong },
-            Function { word: "hull_by_halves", test, wrong: hull::wrong },
+            Function { word: HALVES, test, wrong: hull::wrong },
             Function { word: "tangents", test, wrong: tangents::wrong },
             Function { word: "common_tangents", test, wrong: tangents::wrong_common },
             Function { word: "merge", test, wrong: merge::wrong },
@@ -79,16 +81,12 @@ impl Judge for Hulls {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.rule.as_str()) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "tangents") => "tangents finds the two corners, or refuses a point that is not outside",
-            (_, "common_tangents") => "common_tangents finds the outermost corners on both tangents",
-            (_, "merge") => "merge leaves one convex polygon, linked both ways",
+        fault.kind.unfinished().unwrap_or(match fault.rule.as_str() {
+            "tangents" => "tangents finds the two corners, or refuses a point that is not outside",
+            "common_tangents" => "common_tangents finds the outermost corners on both tangents",
+            "merge" => "merge leaves one convex polygon, linked both ways",
             _ => "the polygon has the corners of the hull, counter-clockwise, and no other points",
-        }
+        })
     }
 
     fn shorter(&self, case: &Case) -> Vec<Case> {
@@ -162,21 +160,17 @@ fn asked(name: &str, fixed: Vec<Case>, mut made: impl FnMut(&mut Random, usize) 
     all
 }
 
-fn points_case(test: &str, function: &str, points: &[Point]) -> Case {
-    Case::new(test, self::points(points)).step(Step::Dump).step(Step::of_line(function))
+fn points_case(name: &str, function: &str, points: &[Point]) -> Case {
+    Case::new(name, self::points(points)).step(Step::Dump).step(Step::of_line(function))
 }
 
 fn hull_cases(test: &str, function: &str, is_odd: bool) -> Vec<Case> {
-    let named = |(name, points): (&str, Vec<Point>)| Case {
-        name: format!("{test}.{name}"),
-        ..points_case(test, function, &points)
-    };
+    let named = |(name, points): (&str, Vec<Point>)| points_case(&format!("{test}.{name}"), function, &points);
     if !is_odd {
         return plain().into_iter().map(named).collect();
     }
     let of_a_grid = of_a_small_grid().into_iter().enumerate();
-    let of_a_grid =
-        of_a_grid.map(|(i, points)| Case { name: format!("{test}.grid.{i}"), ..points_case(test, function, &points) });
+    let of_a_grid = of_a_grid.map(|(i, points)| points_case(&format!("{test}.grid.{i}"), function, &points));
     degenerate().into_iter().map(named).chain(of_a_grid).collect()
 }
 
@@ -185,11 +179,8 @@ fn halves_cases() -> Vec<Case> {
     // What `merge` does wrong shows in the random cases of its own test; these look random, and are always the same.
     let mut from = Random::new(3, "halves");
     let more = (0..RANDOM).map(|i| ("mixed", random(&mut from, 4 + 3 * i, 2 + i)));
-    let named = all.chain(more).enumerate().map(|(i, (name, points))| Case {
-        name: format!("hull_by_halves.{i}.{name}"),
-        ..points_case("hull_by_halves", "hull_by_halves", &points)
-    });
-    named.collect()
+    let named = all.chain(more).enumerate();
+    named.map(|(i, (name, points))| points_case(&format!("{HALVES}.{i}.{name}"), HALVES, &points)).collect()
 }
 
 /// A polygon, and tangents from a point, asked from each of its corners if there are few.
@@ -226,19 +217,12 @@ fn tangent_suite(
 
 /// Two polygons, named by each of a few of their corners.
 fn pair_case(name: &str, function: &str, pair: &[Vec<Point>]) -> Case {
-    let mut case = Case::new(name, polygons(pair)).step(Step::Dump);
+    let case = Case::new(name, polygons(pair)).step(Step::Dump);
     let (n, m) = (pair[0].len(), pair[1].len());
     let some = |count: usize| (0..count).step_by(count.div_ceil(3));
-    if function == "merge" {
-        case = case.step(Step::Save);
-    }
-    for (a, b) in some(n).flat_map(|a| some(m).map(move |b| (a, n + b))) {
-        case = case.step(Step::call(function, [format!("c{a}"), format!("c{b}")]));
-        if function == "merge" {
-            case = case.step(Step::Dump).step(Step::Restore);
-        }
-    }
-    case
+    let calls = some(n).flat_map(|a| some(m).map(move |b| (a, n + b)));
+    let calls = calls.map(|(a, b)| Step::call(function, [format!("c{a}"), format!("c{b}")]));
+    if function == "merge" { case.each_alone(calls) } else { case.calls(calls, &[]) }
 }
 
 fn pair_suite(tests: &'static [&'static str], plan: &Plan) -> Suite {

@@ -13,11 +13,15 @@ const READS_OF_A_WALK: u64 = 24_000;
 /// How many reads each triangle of a corridor may cost. The solution needs 12.
 const READS_OF_A_PORTAL: u64 = 60;
 
+/// Calls, each followed by more steps.
+pub(super) fn asks(name: String, start: &Start, lines: impl IntoIterator<Item: AsRef<str>>, after: &[Step]) -> Case {
+    let calls = lines.into_iter().map(|line| Step::of_line(line.as_ref()));
+    Case::new(name, start.clone()).step(start.dump()).calls(calls, after)
+}
+
 /// Calls, each followed by a count of its reads.
 pub(super) fn with_reads(name: String, start: &Start, lines: impl IntoIterator<Item = String>) -> Case {
-    let mut case = Case::new(name, start.clone()).step(start.dump());
-    case.steps.extend(lines.into_iter().flat_map(|line| [Step::of_line(&line), Step::Reads]));
-    case
+    asks(name, start, lines, &[Step::Reads])
 }
 
 /// What is wrong with the numbers of reads in a case.

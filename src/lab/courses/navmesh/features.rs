@@ -66,71 +66,70 @@ crate::features! {
 /// What holds of a call.
 pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     let asked = asked(exchange);
     if exchange.function == "funnel" {
-        add_sleeve(&sleeve_of(exchange)?, &mut add);
+        add_sleeve(&sleeve_of(exchange)?, &mut set);
         return Some(set.bits());
     }
     let table = exchange.before()?;
-    add(Word::Large, table.half_edges.len() > 1000);
-    add(Word::OuterNot0, table.outer_face != Some(FaceId::new(0)));
-    add(Word::TwinNotBeside, is_triangle(table, 0));
+    set.add(Word::Large, table.half_edges.len() > 1000);
+    set.add(Word::OuterNot0, table.outer_face != Some(FaceId::new(0)));
+    set.add(Word::TwinNotBeside, is_triangle(table, 0));
     let first = table.vertices.first().and_then(|row| row.as_ref()?.position);
-    add(Word::Blind, table.vertices.iter().flatten().all(|row| row.position == first));
+    set.add(Word::Blind, table.vertices.iter().flatten().all(|row| row.position == first));
     match (exchange.function, &asked.ids[..], &asked.points[..]) {
         ("neighbours", &[f], _) => {
             let count = neighbours(table, f).len();
-            add(Word::Wall, count < 3);
-            add(Word::Walls2, count < 2);
-            add(Word::Three, count == 3);
-            add(Word::ZeroAcross, takes_0_for_outer(table, f));
+            set.add(Word::Wall, count < 3);
+            set.add(Word::Walls2, count < 2);
+            set.add(Word::Three, count == 3);
+            set.add(Word::ZeroAcross, takes_0_for_outer(table, f));
         }
         ("corridor", &[start, goal], _) => {
             let way = corridor(table, start, goal);
-            add(Word::Same, start == goal);
-            add(Word::OuterAsked, !is_triangle(table, start) || !is_triangle(table, goal));
-            add(Word::Unreachable, way.is_none());
-            add(Word::Reachable, way.is_some());
+            set.add(Word::Same, start == goal);
+            set.add(Word::OuterAsked, !is_triangle(table, start) || !is_triangle(table, goal));
+            set.add(Word::Unreachable, way.is_none());
+            set.add(Word::Reachable, way.is_some());
             let both = is_triangle(table, start) && is_triangle(table, goal);
-            add(Word::Apart, both && way.is_none());
-            add(Word::DeepLonger, both && deep_is_longer(table, start, goal));
+            set.add(Word::Apart, both && way.is_none());
+            set.add(Word::DeepLonger, both && deep_is_longer(table, start, goal));
             let steps = way.as_ref().map_or(0, Vec::len);
-            add(Word::Many2, steps > 2);
-            add(Word::Many8, steps > 8);
-            add(Word::TwoWays, way.is_some_and(|way| has_round(table, &way)));
+            set.add(Word::Many2, steps > 2);
+            set.add(Word::Many8, steps > 8);
+            set.add(Word::TwoWays, way.is_some_and(|way| has_round(table, &way)));
         }
         ("portals", ids, _) => {
             let all = portals(table, ids).unwrap_or_default();
-            add(Word::NoPortal, all.is_empty());
-            add(Word::SomePortal, !all.is_empty());
-            add(Word::SmallerRight, all.iter().any(|[left, right]| right < left));
-            add(Word::Many2, ids.len() > 2);
-            add(Word::Many8, ids.len() > 8);
+            set.add(Word::NoPortal, all.is_empty());
+            set.add(Word::SomePortal, !all.is_empty());
+            set.add(Word::SmallerRight, all.iter().any(|[left, right]| right < left));
+            set.add(Word::Many2, ids.len() > 2);
+            set.add(Word::Many8, ids.len() > 8);
         }
         ("path", _, &[start, goal]) => {
             let way = path(table, start, goal);
-            add(Word::Outside, [start, goal].iter().any(|&p| triangles_of(table, p).is_empty()));
-            add(Word::Same, same(start, goal));
-            add(Word::Unreachable, way.is_none());
-            add(Word::Reachable, way.is_some());
-            add_point(table, start, &mut add);
+            set.add(Word::Outside, [start, goal].iter().any(|&p| triangles_of(table, p).is_empty()));
+            set.add(Word::Same, same(start, goal));
+            set.add(Word::Unreachable, way.is_none());
+            set.add(Word::Reachable, way.is_some());
+            add_point(table, start, &mut set);
             let way = way.unwrap_or_default();
-            add(Word::Straight, way.len() == 2);
-            add_turns(&way, &mut add);
+            set.add(Word::Straight, way.len() == 2);
+            add_turns(&way, &mut set);
         }
         (_, ids, &[p]) => {
-            add_point(table, p, &mut add);
+            add_point(table, p, &mut set);
             let goes_wrong = |wrong| match ids {
                 &[from] => walk_goes_wrong(table, from, p, wrong),
                 _ => scan_goes_wrong(table, p, wrong),
             };
-            add(Word::OnTheLine, goes_wrong(Beyond::OnTheLine));
-            add(Word::RoundedSide, goes_wrong(Beyond::Rounded));
+            set.add(Word::OnTheLine, goes_wrong(Beyond::OnTheLine));
+            set.add(Word::RoundedSide, goes_wrong(Beyond::Rounded));
             if let &[from] = ids {
                 let all = triangles_of(table, p);
-                add(Word::ElsewhereStart, !all.contains(&from));
-                add(Word::Barred, !all.contains(&from) && is_barred(table, from, p));
+                set.add(Word::ElsewhereStart, !all.contains(&from));
+                set.add(Word::Barred, !all.contains(&from) && is_barred(table, from, p));
             }
         }
         _ => {}
@@ -138,16 +137,16 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     Some(set.bits())
 }
 
-fn add_point(table: &Table, p: Spot, add: &mut impl FnMut(Word, bool)) {
+fn add_point(table: &Table, p: Spot, set: &mut FeatureSet) {
     let all = triangles_of(table, p);
     let on_border = all.iter().any(|&f| is_on_border(table, f, p));
     let at_corner = table.vertices.iter().flatten().any(|row| row.position == Some(p));
-    add(Word::Outside, all.is_empty());
-    add(Word::Corner, at_corner);
-    add(Word::Border, on_border && !at_corner);
-    add(Word::Inside, !all.is_empty() && !on_border);
+    set.add(Word::Outside, all.is_empty());
+    set.add(Word::Corner, at_corner);
+    set.add(Word::Border, on_border && !at_corner);
+    set.add(Word::Inside, !all.is_empty() && !on_border);
     let last = (0..table.faces.len() as u32).rev().find(|&f| is_triangle(table, f));
-    add(Word::InLast, all.len() == 1 && last == all.first().copied());
+    set.add(Word::InLast, all.len() == 1 && last == all.first().copied());
 }
 
 /// Whether a walk that always crosses the first side with the point on its right comes to a wall.
@@ -174,17 +173,17 @@ fn has_round(table: &Table, way: &[u32]) -> bool {
     way.iter().any(|&f| neighbours(table, f).iter().any(|g| !way.contains(g)))
 }
 
-fn add_turns(path: &[Spot], add: &mut impl FnMut(Word, bool)) {
+fn add_turns(path: &[Spot], set: &mut FeatureSet) {
     let turns: Vec<Ordering> = path.windows(3).map(|at| turn(at[0], at[1], at[2])).collect();
     let (left, right) = (turns.contains(&Ordering::Greater), turns.contains(&Ordering::Less));
-    add(Word::Turns, !turns.is_empty());
-    add(Word::Turns1More, turns.len() > 1);
-    add(Word::TurnsLeft, left);
-    add(Word::TurnsRight, right);
-    add(Word::TurnsBoth, left && right);
+    set.add(Word::Turns, !turns.is_empty());
+    set.add(Word::Turns1More, turns.len() > 1);
+    set.add(Word::TurnsLeft, left);
+    set.add(Word::TurnsRight, right);
+    set.add(Word::TurnsBoth, left && right);
 }
 
-fn add_sleeve(sleeve: &Sleeve, add: &mut impl FnMut(Word, bool)) {
+fn add_sleeve(sleeve: &Sleeve, set: &mut FeatureSet) {
     let Sleeve { start, goal, portals } = sleeve;
     let path = shortest(sleeve);
     let ends = || portals.iter().flatten();
@@ -198,27 +197,27 @@ fn add_sleeve(sleeve: &Sleeve, add: &mut impl FnMut(Word, bool)) {
         (Word::GoalJoined, Funnel::GoalJoined),
         (Word::RoundedTurn, Funnel::Rounded),
     ];
-    slips.into_iter().for_each(|(word, wrong)| add(word, funnel_goes_wrong(sleeve, wrong)));
-    add(Word::Same, same(*start, *goal));
-    add(Word::StartsOnPortal, on(portals.first(), start));
-    add(Word::GoalOnPortal, on(portals.last(), goal));
-    add(Word::StartIsEnd, ends().any(|end| same(*end, *start)));
-    add(Word::GoalIsEnd, ends().any(|end| same(*end, *goal)));
-    add(Word::NoPortal, portals.is_empty());
-    add(Word::Straight, path.len() == 2);
-    add_turns(&path, add);
-    add(Word::TurnsAtFirst, at(portals.first()));
-    add(Word::TurnsAtLast, at(portals.last()));
+    slips.into_iter().for_each(|(word, wrong)| set.add(word, funnel_goes_wrong(sleeve, wrong)));
+    set.add(Word::Same, same(*start, *goal));
+    set.add(Word::StartsOnPortal, on(portals.first(), start));
+    set.add(Word::GoalOnPortal, on(portals.last(), goal));
+    set.add(Word::StartIsEnd, ends().any(|end| same(*end, *start)));
+    set.add(Word::GoalIsEnd, ends().any(|end| same(*end, *goal)));
+    set.add(Word::NoPortal, portals.is_empty());
+    set.add(Word::Straight, path.len() == 2);
+    add_turns(&path, set);
+    set.add(Word::TurnsAtFirst, at(portals.first()));
+    set.add(Word::TurnsAtLast, at(portals.last()));
     let between = |pair: &[Spot], end: &Spot| {
         !same(*end, pair[0]) && !same(*end, pair[1]) && turn(pair[0], pair[1], *end).is_eq() && {
             let inside = |axis: usize| (pair[0][axis] - end[axis]) * (pair[1][axis] - end[axis]) <= 0.0;
             inside(0) && inside(1)
         }
     };
-    add(Word::Touches, path.windows(2).any(|pair| ends().any(|end| between(pair, end))));
+    set.add(Word::Touches, path.windows(2).any(|pair| ends().any(|end| between(pair, end))));
     let is_hub = |p: &Spot| portals.windows(2).any(|two| two[0].contains(p) && two[1].contains(p));
-    add(Word::Fan, corners.iter().any(is_hub));
-    add(Word::Fraction, ends().chain([start, goal]).flatten().any(|x| x.fract() != 0.0));
-    add(Word::Many2, portals.len() > 2);
-    add(Word::Many8, portals.len() > 8);
+    set.add(Word::Fan, corners.iter().any(is_hub));
+    set.add(Word::Fraction, ends().chain([start, goal]).flatten().any(|x| x.fract() != 0.0));
+    set.add(Word::Many2, portals.len() > 2);
+    set.add(Word::Many8, portals.len() > 8);
 }

@@ -7,6 +7,7 @@
 //!
 //! Written independently of the student's program, which makes the same of the same lines.
 
+use crate::cases::numbers::renumbered;
 use crate::cases::random::Random;
 use crate::checks::walks::cycle;
 use dcel_kit::plane::predicates::orientation;
@@ -184,17 +185,7 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
     let new_h =
         |h: HalfEdgeId| HalfEdgeId::new((2 * edges[h.index() / 2] + (h.index() ^ flips[h.index() / 2]) % 2) as u32);
     let new_f = |f: FaceId| FaceId::new(faces[f.index()] as u32);
-    let mut out = table.clone();
-    for (h, row) in table.half_edges.iter().enumerate() {
-        let Some(row) = row else { continue };
-        out.half_edges[new_h(HalfEdgeId::new(h as u32)).index()] = Some(HalfEdgeRow {
-            origin: row.origin,
-            twin: row.twin.map(new_h),
-            next: row.next.map(new_h),
-            prev: row.prev.map(new_h),
-            face: row.face.map(new_f),
-        });
-    }
+    let mut out = renumbered(table, |v| v, new_h, new_f);
     for (f, row) in table.faces.iter().enumerate() {
         let Some(mut stored) = row.as_ref().and_then(|row| row.half_edge) else { continue };
         for _ in 0..random.below(3) {
@@ -203,10 +194,6 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
         let row = FaceRow { half_edge: Some(new_h(stored)), ..FaceRow::default() };
         out.faces[faces[f]] = Some(row);
     }
-    for row in out.vertices.iter_mut().flatten() {
-        row.outgoing = row.outgoing.map(new_h);
-    }
-    out.outer_face = table.outer_face.map(new_f);
     out
 }
 

@@ -10,8 +10,8 @@ use super::mesh::{Spot, build, cells, corners, corridor, neighbours, random_mesh
 use super::{costs, features, picture};
 use crate::answers;
 use crate::cases::random::Random;
-use crate::cases::starts::wheel;
-use crate::checks::walks::blind;
+use crate::cases::starts::{self, wheel};
+use crate::checks::walks::{BLIND, IN_THE_BLIND, blind};
 use crate::fault::{Exchange, Fault};
 use crate::judge::{Asked, Judge, Suite};
 use crate::pictures;
@@ -19,7 +19,6 @@ use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step, Structure};
 use dcel_kit::topology::Table;
 use dcel_kit::{Element, FaceId};
-use std::fmt::Write;
 use std::sync::Arc;
 
 /// The judge of lab 06.
@@ -31,25 +30,11 @@ pub static NAVMESH: NavMeshJudge = NavMeshJudge;
 /// How many random meshes are asked for each test, and how many sleeves.
 const MESHES: usize = 8;
 const SLEEVES: usize = 120;
-/// Names of cases in which all vertices are at one place.
-const BLIND: &str = ".blind";
-/// What is added to every fault of such a case.
-const IN_THE_BLIND: &str =
-    " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
 impl Judge for NavMeshJudge {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let suite = |tests: &'static [&'static str], make: fn(&str, &mut Random) -> Vec<Case>| {
+        let suite = |tests: &'static [&'static str], fixed: Vec<Case>, make: fn(&str, &mut Random) -> Vec<Case>| {
             let name = tests[0];
-            let fixed = match name {
-                "neighbours" => fixed_neighbours(),
-                "locate_by_scan" => fixed_points(name, false),
-                "locate" => fixed_points(name, true),
-                "corridor" => fixed_corridors(),
-                "portals" => fixed_portals(),
-                "funnel" => fixed_sleeves(),
-                _ => fixed_paths(),
-            };
             let random = |seed, _| make(name, &mut Random::new(seed, name));
             let mut asked = Asked::fixed_and_seeded(fixed, plan, MESHES, random);
             asked.extend(Asked::fixed(large(name)));
@@ -57,13 +42,13 @@ impl Judge for NavMeshJudge {
         };
         let case = Case::new("corridor_svg", picture::start()).step(Step::Dump).step(Step::Svg);
         vec![
-            suite(&["neighbours"], random_neighbours),
-            suite(&["locate_by_scan"], random_points),
-            suite(&["locate"], random_points),
-            suite(&["corridor"], random_corridors),
-            suite(&["portals"], random_portals),
-            suite(&["funnel"], random_sleeves),
-            suite(&["path"], random_paths),
+            suite(&["neighbours"], fixed_neighbours(), random_neighbours),
+            suite(&["locate_by_scan"], fixed_points("locate_by_scan", false), random_points),
+            suite(&["locate"], fixed_points("locate", true), random_points),
+            suite(&["corridor"], fixed_corridors(), random_corridors),
+            suite(&["portals"], with_blind("portals", |table, _| all_portals(table)), random_portals),
+            suite(&["funnel"], fixed_sleeves(), random_sleeves),
+            suite(&["path"], fixed_paths(), random_paths),
             Suite::of(&["corridor_svg"], Asked::fixed([case])),
         ]
     }
@@ -114,10 +99,7 @@ impl Judge for NavMeshJudge {
 
 /// A mesh as the line that a student would type.
 fn typed(points: &[Spot], triangles: &[[usize; 3]]) -> Start {
-    let mut line = format!("mesh{} /", crate::cases::starts::points(points));
-    for [i, j, k] in triangles {
-        let _ = write!(line, " {i} {j} {k}");
-    }
+    let line = format!("mesh{} /{}", starts::points(points), starts::words(triangles.iter().flatten()));
     Start::known(line, Structure::HalfEdges(Arc::new(build(points, triangles))))
 }
 
@@ -162,10 +144,8 @@ fn meshes() -> Vec<(String, Start, Table)> {
     all
 }
 
-fn case(name: String, start: &Start, lines: impl IntoIterator<Item = String>) -> Case {
-    let mut case = Case::new(name, start.clone()).step(start.dump());
-    case.steps.extend(lines.into_iter().map(|line| Step::of_line(&line)));
-    case
+fn case(name: String, start: &Start, lines: impl IntoIterator<Item: AsRef<str>>) -> Case {
+    costs::asks(name, start, lines, &[])
 }
 
 fn all_neighbours(table: &Table) -> Vec<String> {
@@ -253,15 +233,22 @@ fn all_corridors(table: &Table, with_outer: bool) -> Vec<String> {
     faces.iter().flat_map(|f| faces.iter().map(move |g| format!("corridor f{f} f{g}"))).collect()
 }
 
-fn fixed_corridors() -> Vec<Case> {
+/// Questions about the meshes, and about those with their first numbers without places; `ask` is told whether a mesh
+/// has places.
+fn with_blind(function: &str, ask: impl Fn(&Table, bool) -> Vec<String>) -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, start, table) in meshes() {
-        cases.push(case(format!("corridor.{name}"), &start, all_corridors(&table, true)));
+        cases.push(case(format!("{function}.{name}"), &start, ask(&table, true)));
         if !name.contains("renamed") {
             let dark = Start::table(blind(&table));
-            cases.push(case(format!("corridor.{name}{BLIND}"), &dark, all_corridors(&table, false)));
+            cases.push(case(format!("{function}.{name}{BLIND}"), &dark, ask(&table, false)));
         }
     }
+    cases
+}
+
+fn fixed_corridors() -> Vec<Case> {
+    let mut cases = with_blind("corridor", all_corridors);
     let lines = [[1, 21], [1, 20], [7, 30], [40, 1]].map(|[f, g]| format!("corridor f{f} f{g}"));
     cases.push(case("corridor.wheel".to_owned(), &wheel(40), lines));
     cases
@@ -276,22 +263,10 @@ fn all_portals(table: &Table) -> Vec<String> {
     pairs.filter_map(|(f, g)| corridor(table, f, g)).map(line).collect()
 }
 
-fn fixed_portals() -> Vec<Case> {
-    let mut cases = Vec::new();
-    for (name, start, table) in meshes() {
-        cases.push(case(format!("portals.{name}"), &start, all_portals(&table)));
-        if !name.contains("renamed") {
-            let dark = Start::table(blind(&table));
-            cases.push(case(format!("portals.{name}{BLIND}"), &dark, all_portals(&table)));
-        }
-    }
-    cases
-}
-
 fn sleeve_line(sleeve: &Sleeve) -> String {
     let mut all = vec![sleeve.start, sleeve.goal];
     all.extend(sleeve.portals.iter().flatten());
-    format!("funnel{}", crate::cases::starts::points(&all))
+    format!("funnel{}", starts::points(&all))
 }
 
 /// A case needs a structure to begin with, although this function looks at none.
@@ -352,7 +327,7 @@ fn paths(table: &Table, random: &mut Random, count: usize) -> Vec<String> {
 
 fn fixed_paths() -> Vec<Case> {
     let map = ["path -150 -120 235 60", "path 235 60 -150 -120", "path -150 -120 -80 60", "path 0 0 300 0"];
-    let mut cases = vec![case("path.map".to_owned(), &picture::start(), map.map(str::to_owned))];
+    let mut cases = vec![case("path.map".to_owned(), &picture::start(), map)];
     for (name, points, triangles) in small() {
         // One corridor only, and no point that is in triangles which do not hang together.
         if matches!(name, "one" | "two" | "fan") {
@@ -363,7 +338,7 @@ fn fixed_paths() -> Vec<Case> {
         }
     }
     let parts = small().remove(5);
-    let apart = ["path 1 1 8 1", "path 8 1 1 1", "path 8 1 8 0.5"].map(str::to_owned);
+    let apart = ["path 1 1 8 1", "path 8 1 1 1", "path 8 1 8 0.5"];
     cases.push(case("path.parts".to_owned(), &typed(&parts.1, &parts.2), apart));
     cases
 }
@@ -429,20 +404,17 @@ fn random_paths(name: &str, random: &mut Random) -> Vec<Case> {
 /// Large ones: numbers past 65,536, long corridors, and how many records are looked at.
 fn large(test: &str) -> Vec<Case> {
     let big = || large_cells(130, 130);
-    let lines = |lines: &[&str]| lines.iter().map(|line| (*line).to_owned()).collect::<Vec<_>>();
     match test {
         "neighbours" => {
             let asked = [33_800, 33_799, 17_000, 17_001, 260, 261, 1, 2, 3, 33_541];
             vec![costs::with_reads(format!("{test}.large"), &big(), asked.map(|f| format!("neighbours f{f}")))]
         }
-        "locate_by_scan" => vec![case(format!("{test}.large"), &big(), lines(&["locate_by_scan 128.75 129.5"]))],
+        "locate_by_scan" => vec![case(format!("{test}.large"), &big(), ["locate_by_scan 128.75 129.5"])],
         "locate" => {
             let asked = ["f1 129.75 128.5", "f33800 0.5 0.25", "f260 0.25 129.5", "f16900 64.5 65.5", "f2 130 130"];
             vec![costs::with_reads(format!("{test}.large"), &big(), asked.map(|words| format!("locate {words}")))]
         }
-        "corridor" => {
-            vec![case(format!("{test}.large"), &big(), lines(&["corridor f1 f33800", "corridor f33800 f520"]))]
-        }
+        "corridor" => vec![case(format!("{test}.large"), &big(), ["corridor f1 f33800", "corridor f33800 f520"])],
         "portals" => {
             let table = cells(300, 1);
             let line = corridor(&table, 1, 600).unwrap_or_default().iter().map(u32::to_string).collect::<Vec<_>>();
@@ -453,11 +425,9 @@ fn large(test: &str) -> Vec<Case> {
             sleeve_case(format!("{test}.fan_40"), [fan(40)]),
             sleeve_case(format!("{test}.winding_300"), [winding(300)]),
         ],
-        "path" => vec![case(
-            format!("{test}.large"),
-            &large_cells(400, 1),
-            lines(&["path 0 0 400 1", "path 399.5 0.25 0 0.75"]),
-        )],
+        "path" => {
+            vec![case(format!("{test}.large"), &large_cells(400, 1), ["path 0 0 400 1", "path 399.5 0.25 0 0.75"])]
+        }
         _ => Vec::new(),
     }
 }

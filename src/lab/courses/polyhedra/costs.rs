@@ -6,12 +6,11 @@
 //! ```
 
 use super::shapes::{blind, torus};
-use crate::many::Large;
-use crate::protocol::{Case, Start, Step, Structure};
+use crate::many::{self, Large, QUESTIONS};
+use crate::protocol::{Case, Start, Structure};
 use std::sync::{Arc, OnceLock};
 
-/// How many questions are asked, and how many reads they have together. The solution needs 130,000.
-const QUESTIONS: usize = 10_000;
+/// How many reads the many questions have together. The solution needs 130,000.
 const BUDGET: u64 = 1_000_000;
 
 /// The large surface.
@@ -23,9 +22,13 @@ pub(super) fn large_torus() -> Start {
 
 /// Questions about single vertices, then about many.
 pub(super) fn questions() -> Case {
-    let mut case = Case::new("vertices_around_large.torus", large_torus()).step(Step::Changes);
-    case.steps.extend([22_499, 16_400, 300].map(|v| Step::call("vertices_around", [format!("v{v}")])));
-    case.step(Step::Many { function: "vertices_around".to_owned(), count: QUESTIONS, budget: BUDGET })
+    many::questions(
+        "vertices_around_large.torus",
+        large_torus(),
+        "vertices_around",
+        ["v22499", "v16400", "v300"],
+        BUDGET,
+    )
 }
 
 /// What many questions about it should give: around every vertex there are four others.

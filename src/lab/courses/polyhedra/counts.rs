@@ -98,12 +98,11 @@ pub(super) fn regular(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
         return (!is_refused)
             .then(|| Wrong { expected: Some("None".to_owned()), ..Wrong::because("regular", because) });
     };
+    let because = format!("every face has {p} corners and every vertex {q} edges");
     if let [Value::Refusal(_)] = values {
-        let because = format!("every face has {p} corners and every vertex {q} edges");
         return Some(Wrong { expected: Some(format!("{p} {q}")), ..Wrong::because("refused", because) });
     }
     let found: Vec<usize> = values.iter().filter_map(Value::id).map(|id| id as usize).collect();
-    let because = format!("every face has {p} corners and every vertex {q} edges");
     (found != [p, q]).then(|| {
         let wrong = Wrong { expected: Some(format!("{p} {q}")), ..Wrong::because("pair", because) };
         wrong.is([(found == [q, p], "the two numbers exchanged")])

@@ -75,41 +75,41 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
 fn of_surface(surface: &Surface, set: &mut FeatureSet) {
     let (euler, parts) = (euler_of(surface), parts_of(surface).1);
     let [_, e, f] = counts(surface);
-    set.add(Word::Removed as u32, surface.has_removed());
-    set.add(Word::Parts as u32, parts > 1);
-    set.add(Word::Handle as u32, parts == 1 && euler < 2);
-    set.add(Word::TwoHandles as u32, parts == 1 && euler < 0);
-    set.add(Word::NotTwo as u32, euler != 2);
-    set.add(Word::NotThreeHalves as u32, 2 * e != 3 * f);
-    set.add(Word::ThreeCorners as u32, dual::differs_from_first_three(surface));
-    set.add(Word::Records256 as u32, surface.table.half_edges.len() > 256);
+    set.add(Word::Removed, surface.has_removed());
+    set.add(Word::Parts, parts > 1);
+    set.add(Word::Handle, parts == 1 && euler < 2);
+    set.add(Word::TwoHandles, parts == 1 && euler < 0);
+    set.add(Word::NotTwo, euler != 2);
+    set.add(Word::NotThreeHalves, 2 * e != 3 * f);
+    set.add(Word::ThreeCorners, dual::differs_from_first_three(surface));
+    set.add(Word::Records256, surface.table.half_edges.len() > 256);
 }
 
 fn of_vertex(surface: &Surface, v: u32, set: &mut FeatureSet) {
     let degree = surface.spokes(v).len();
-    set.add(Word::Degree2 as u32, degree <= 2);
-    set.add(Word::Degree3 as u32, degree > 2);
-    set.add(Word::Degree8 as u32, degree > 8);
-    set.add(Word::Degree16 as u32, degree > 16);
-    set.add(Word::Removed as u32, surface.has_removed());
-    set.add(Word::Records256 as u32, surface.table.half_edges.len() > 256);
+    set.add(Word::Degree2, degree <= 2);
+    set.add(Word::Degree3, degree > 2);
+    set.add(Word::Degree8, degree > 8);
+    set.add(Word::Degree16, degree > 16);
+    set.add(Word::Removed, surface.has_removed());
+    set.add(Word::Records256, surface.table.half_edges.len() > 256);
 }
 
 fn of_sizes(surface: &Surface, set: &mut FeatureSet) {
     let [faces, vertices] = sizes(surface);
     let (p, q) = (common(&faces), common(&vertices));
-    set.add(Word::FacesOnly as u32, p.is_some() && q.is_none());
-    set.add(Word::VerticesOnly as u32, p.is_none() && q.is_some());
-    set.add(Word::Regular as u32, p.is_some() && q.is_some());
-    set.add(Word::Unequal as u32, p.is_some() && q.is_some() && p != q);
+    set.add(Word::FacesOnly, p.is_some() && q.is_none());
+    set.add(Word::VerticesOnly, p.is_none() && q.is_some());
+    set.add(Word::Regular, p.is_some() && q.is_some());
+    set.add(Word::Unequal, p.is_some() && q.is_some() && p != q);
     let between = |sizes: &[usize]| common(sizes).is_none() && sizes.first() == sizes.last();
     let last = |sizes: &[usize]| common(sizes).is_none() && common(&sizes[..sizes.len() - 1]).is_some();
-    set.add(Word::FaceBetween as u32, between(&faces));
-    set.add(Word::FaceLast as u32, last(&faces));
-    set.add(Word::VertexBetween as u32, between(&vertices));
-    set.add(Word::VertexLast as u32, last(&vertices));
-    set.add(Word::Removed as u32, surface.has_removed());
-    set.add(Word::Handle as u32, euler_of(surface) < 2);
+    set.add(Word::FaceBetween, between(&faces));
+    set.add(Word::FaceLast, last(&faces));
+    set.add(Word::VertexBetween, between(&vertices));
+    set.add(Word::VertexLast, last(&vertices));
+    set.add(Word::Removed, surface.has_removed());
+    set.add(Word::Handle, euler_of(surface) < 2);
 }
 
 fn is_tiny(surface: &Surface) -> bool {
@@ -117,28 +117,28 @@ fn is_tiny(surface: &Surface) -> bool {
 }
 
 fn of_vertex_angle(surface: &Surface, v: u32, set: &mut FeatureSet) -> Option<()> {
-    set.add(Word::ArcCosine as u32, angles::arc_cosine_loses_deficit(surface, v)?);
-    set.add(Word::OtherCorners as u32, !angles::has_regular_corners(surface, v)?);
-    set.add(Word::Obtuse as u32, angles::has_obtuse_corner(surface, v)?);
+    set.add(Word::ArcCosine, angles::arc_cosine_loses_deficit(surface, v)?);
+    set.add(Word::OtherCorners, !angles::has_regular_corners(surface, v)?);
+    set.add(Word::Obtuse, angles::has_obtuse_corner(surface, v)?);
     let half = PI - angles::deficit(surface, v)?;
-    set.add(Word::NotHalf as u32, half.abs() > angles::TOLERANCE);
+    set.add(Word::NotHalf, half.abs() > angles::TOLERANCE);
     let degree = surface.spokes(v).len();
-    set.add(Word::Degree4 as u32, degree > 3);
-    set.add(Word::Degree8 as u32, degree > 8);
-    set.add(Word::Tiny as u32, is_tiny(surface));
+    set.add(Word::Degree4, degree > 3);
+    set.add(Word::Degree8, degree > 8);
+    set.add(Word::Tiny, is_tiny(surface));
     Some(())
 }
 
 fn of_edge_angle(surface: &Surface, h: HalfEdgeId, set: &mut FeatureSet) -> Option<()> {
     let angle = angles::dihedral(surface, h)?;
-    set.add(Word::ArcCosine as u32, angles::arc_cosine_loses_dihedral(surface, h)?);
-    set.add(Word::Flat as u32, (angle - PI).abs() <= angles::TOLERANCE);
-    set.add(Word::Reflex as u32, angle > PI + angles::TOLERANCE);
+    set.add(Word::ArcCosine, angles::arc_cosine_loses_dihedral(surface, h)?);
+    set.add(Word::Flat, (angle - PI).abs() <= angles::TOLERANCE);
+    set.add(Word::Reflex, angle > PI + angles::TOLERANCE);
     let is_right = (angle - PI / 2.0).abs() <= angles::TOLERANCE;
-    set.either(Word::Right as u32, Word::NotRight as u32, is_right);
-    set.add(Word::Tiny as u32, is_tiny(surface));
+    set.either(Word::Right, Word::NotRight, is_right);
+    set.add(Word::Tiny, is_tiny(surface));
     let sides = [surface.table.face(h)?, surface.table.face(surface.table.twin(h)?)?];
-    set.add(Word::Square as u32, sides.iter().any(|&f| surface.of_face(f).len() > 3));
+    set.add(Word::Square, sides.iter().any(|&f| surface.of_face(f).len() > 3));
     Some(())
 }
 
@@ -151,16 +151,16 @@ fn of_edge(surface: &Surface, h: HalfEdgeId, set: &mut FeatureSet) -> Option<()>
         surface.table.vertices.get(origin.index())?.as_ref()?.outgoing
     };
     let same = merging::merged(surface, h).is_none();
-    set.either(Word::SameFace as u32, Word::TwoFaces as u32, same);
-    set.add(Word::FaceStoresGone as u32, same && stored(left) == Some(h));
-    set.add(Word::FaceStores as u32, !same && stored(left) == Some(h));
-    set.add(Word::OriginStores as u32, !same && outgoing(h) == Some(h));
-    set.add(Word::DestinationStores as u32, !same && outgoing(twin) == Some(twin));
+    set.either(Word::SameFace, Word::TwoFaces, same);
+    set.add(Word::FaceStoresGone, same && stored(left) == Some(h));
+    set.add(Word::FaceStores, !same && stored(left) == Some(h));
+    set.add(Word::OriginStores, !same && outgoing(h) == Some(h));
+    set.add(Word::DestinationStores, !same && outgoing(twin) == Some(twin));
     let size = surface.of_face(right).len();
-    set.add(Word::RightBig as u32, !same && size > 3);
-    set.add(Word::RightLarge as u32, !same && size > 8);
-    set.add(Word::Dangling as u32, surface.table.next(h) == Some(twin) || surface.table.next(twin) == Some(h));
-    set.add(Word::Removed as u32, surface.has_removed());
+    set.add(Word::RightBig, !same && size > 3);
+    set.add(Word::RightLarge, !same && size > 8);
+    set.add(Word::Dangling, surface.table.next(h) == Some(twin) || surface.table.next(twin) == Some(h));
+    set.add(Word::Removed, surface.has_removed());
     Some(())
 }
 

@@ -6,9 +6,10 @@
 //! ```
 
 use super::counts::euler_of;
-use super::dual::representatives;
 use super::surface::Surface;
 use crate::answers::Wrong;
+use crate::checks::duals;
+use crate::checks::faults::named;
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{HalfEdgeRow, View};
@@ -69,7 +70,7 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     if !values.is_empty() {
         return Some(Wrong::kind("nothing"));
     }
-    rows(&expected, &after).or_else(|| elements(&expected, &after)).or_else(|| representatives(&after))
+    rows(&expected, &after).or_else(|| elements(&expected, &after)).or_else(|| duals::representatives("", &after.table))
 }
 
 /// The first half-edge that is not as it should be.
@@ -92,21 +93,12 @@ fn rows(expected: &Surface, after: &Surface) -> Option<Wrong> {
 
 /// What differs in a half-edge.
 fn field(h: u32, wanted: &HalfEdgeRow, own: &HalfEdgeRow) -> Wrong {
-    let half_edge = |h: Option<HalfEdgeId>| h.map_or("not set".to_owned(), |h| h.to_string());
     let fields = [
-        ("next", half_edge(own.next), half_edge(wanted.next)),
-        ("prev", half_edge(own.prev), half_edge(wanted.prev)),
-        ("twin", half_edge(own.twin), half_edge(wanted.twin)),
-        (
-            "face",
-            own.face.map_or("not set".to_owned(), |f| f.to_string()),
-            wanted.face.map_or("not set".to_owned(), |f| f.to_string()),
-        ),
-        (
-            "origin",
-            own.origin.map_or("not set".to_owned(), |v| v.to_string()),
-            wanted.origin.map_or("not set".to_owned(), |v| v.to_string()),
-        ),
+        ("next", named(own.next), named(wanted.next)),
+        ("prev", named(own.prev), named(wanted.prev)),
+        ("twin", named(own.twin), named(wanted.twin)),
+        ("face", named(own.face), named(wanted.face)),
+        ("origin", named(own.origin), named(wanted.origin)),
     ];
     let all: Vec<&str> = fields.iter().filter(|(_, own, wanted)| own != wanted).map(|(name, ..)| *name).collect();
     let (name, own, wanted) = fields.iter().find(|(_, own, wanted)| own != wanted).unwrap_or(&fields[0]);
@@ -166,7 +158,7 @@ pub(super) fn wrong_all(exchange: &Exchange, values: &[Value]) -> Option<Wrong> 
         let because = format!("{} edges are left, expected {}", left / 2, wanted / 2);
         return Some(Wrong::because("count", because));
     }
-    representatives(&after)
+    duals::representatives("", &after.table)
 }
 
 #[cfg(test)]
@@ -183,7 +175,7 @@ mod tests {
                 let after = surface.half_edges().find_map(|h| merged(&surface, h));
                 let Some(after) = after else { break };
                 assert_eq!(euler_of(&after), euler, "{name}");
-                assert_eq!(representatives(&after), None, "{name}");
+                assert_eq!(duals::representatives("", &after.table), None, "{name}");
                 let corners: usize = after.faces().map(|f| after.of_face(f).len()).sum();
                 assert_eq!(corners, after.half_edges().count(), "{name}: every half-edge is on one face");
                 surface = after;

@@ -5,9 +5,9 @@ use super::regular;
 use super::shapes::{Faces, bipyramid, blind};
 use super::surface::Surface;
 use crate::cases::random::Random;
+use crate::cases::starts::words;
 use crate::protocol::{Start, Structure};
 use dcel_kit::HalfEdgeId;
-use std::fmt::Write;
 use std::sync::Arc;
 
 /// A surface, how a case states it, and its name.
@@ -32,11 +32,7 @@ pub(super) fn of_faces(name: &str, faces: &Faces) -> Given {
 
 /// With points in space.
 pub(super) fn of_solid(name: &str, surface: &Surface) -> Given {
-    let mut line = "solid".to_owned();
-    for [x, y, z] in &surface.points {
-        let _ = write!(line, " {x} {y} {z}");
-    }
-    let _ = write!(line, " / {}", listed(&surface.corners()));
+    let line = format!("solid{} / {}", words(surface.points.iter().flatten()), listed(&surface.corners()));
     Given { name: name.to_owned(), start: Start::line(line), surface: surface.clone() }
 }
 

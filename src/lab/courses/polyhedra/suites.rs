@@ -7,7 +7,7 @@ use super::surface::SCHEMA;
 use super::{angles, costs, counts, dual, features, merging, picture, regular, shapes, walks};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
-use crate::fault::{Fault, FaultKind};
+use crate::fault::Fault;
 use crate::judge::{Asked, Judge, Suite};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
@@ -110,11 +110,7 @@ impl Judge for Polyhedra {
                 let solid = picture::DRAWN.into_iter().find(|solid| case.name.ends_with(solid));
                 pictures::told_apart(PICTURE, case, answer, || picture::plain(solid.unwrap_or("cube")))
             }
-            LARGE => {
-                let mut faults = answers::judge(IN_LARGE, case, answer);
-                faults.extend(many::judge(LARGE, &costs::LARGE, case, answer));
-                faults
-            }
+            LARGE => many::judge(IN_LARGE, LARGE, &costs::LARGE, case, answer),
             _ => answers::judge(FUNCTIONS, case, answer),
         }
     }
@@ -122,24 +118,20 @@ impl Judge for Polyhedra {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.test) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "euler") => "euler is the number of vertices minus that of edges plus that of faces",
-            (_, "missing_edges") => "missing_edges is how many edges cut all faces into triangles",
-            (_, "vertices_around" | LARGE) => "vertices_around lists the neighbours of a vertex counter-clockwise",
-            (_, "regular") => "regular tells the corners of each face and the edges of each vertex, if they are alike",
-            (_, "winged_edges") => "winged_edges has a row for each edge, with its ends, faces and wings",
-            (_, "dual") => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
-            (_, "deficit_angle") => "deficit_angle is 2 pi minus the angles of the faces at the vertex",
-            (_, "dihedral_angle") => "dihedral_angle is the angle inside the solid between two faces",
-            (_, "genus") => "genus counts the handles of a connected surface and refuses others by a vertex",
-            (_, "merge_faces") => "merge_faces removes one edge and one face, and refuses if there is only one face",
-            (_, "is_genus_0") => "is_genus_0 leaves one face, and tells whether there is no handle",
+        fault.kind.unfinished().unwrap_or(match fault.test {
+            "euler" => "euler is the number of vertices minus that of edges plus that of faces",
+            "missing_edges" => "missing_edges is how many edges cut all faces into triangles",
+            "vertices_around" | LARGE => "vertices_around lists the neighbours of a vertex counter-clockwise",
+            "regular" => "regular tells the corners of each face and the edges of each vertex, if they are alike",
+            "winged_edges" => "winged_edges has a row for each edge, with its ends, faces and wings",
+            "dual" => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
+            "deficit_angle" => "deficit_angle is 2 pi minus the angles of the faces at the vertex",
+            "dihedral_angle" => "dihedral_angle is the angle inside the solid between two faces",
+            "genus" => "genus counts the handles of a connected surface and refuses others by a vertex",
+            "merge_faces" => "merge_faces removes one edge and one face, and refuses if there is only one face",
+            "is_genus_0" => "is_genus_0 leaves one face, and tells whether there is no handle",
             _ => "the picture shows the edges and vertices of the solid and of its dual",
-        }
+        })
     }
 }
 
@@ -205,23 +197,16 @@ fn random(function: &str, seed: u64, count: usize) -> Vec<Case> {
 
 /// A function, asked for the elements of a surface: of a small one for all of them.
 fn case(function: &str, given: &Given) -> Case {
-    let mut case = Case::new(format!("{function}.{}", given.name), given.start.clone()).step(Step::Dump);
+    let case = Case::new(format!("{function}.{}", given.name), given.start.clone()).step(Step::Dump);
     let surface = &given.surface;
     let elements: Vec<String> = match function {
         "vertices_around" | "deficit_angle" => (0..surface.points.len()).map(|v| format!("v{v}")).collect(),
         "dihedral_angle" | "merge_faces" => surface.half_edges().map(|h| h.to_string()).collect(),
         _ => return once(case, function),
     };
-    if function == "merge_faces" {
-        case = case.step(Step::Save);
-    }
-    for element in elements.iter().step_by(elements.len().div_ceil(ELEMENTS)) {
-        case = case.step(Step::call(function, [element]));
-        if function == "merge_faces" {
-            case = case.step(Step::Dump).step(Step::Restore);
-        }
-    }
-    case
+    let some = elements.iter().step_by(elements.len().div_ceil(ELEMENTS));
+    let calls = some.map(|element| Step::call(function, [element]));
+    if function == "merge_faces" { case.each_alone(calls) } else { case.calls(calls, &[]) }
 }
 
 /// A function of the whole surface.

@@ -6,6 +6,8 @@ use crate::protocol::{Cell, ColumnSchema, RecordSchema, Records, TableSchema};
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
+use ColumnSchema::{Link, Number};
+
 /// Vertices, half-edges, faces. Of a record that was removed nothing is set.
 pub(super) static SCHEMA: RecordSchema = RecordSchema {
     singles: &[],
@@ -13,25 +15,14 @@ pub(super) static SCHEMA: RecordSchema = RecordSchema {
         TableSchema {
             word: "vertex",
             letter: 'v',
-            columns: &[
-                ColumnSchema::Number("x"),
-                ColumnSchema::Number("y"),
-                ColumnSchema::Number("z"),
-                ColumnSchema::Link("outgoing", 'h'),
-            ],
+            columns: &[Number("x"), Number("y"), Number("z"), Link("outgoing", 'h')],
         },
         TableSchema {
             word: "half_edge",
             letter: 'h',
-            columns: &[
-                ColumnSchema::Link("origin", 'v'),
-                ColumnSchema::Link("twin", 'h'),
-                ColumnSchema::Link("next", 'h'),
-                ColumnSchema::Link("prev", 'h'),
-                ColumnSchema::Link("face", 'f'),
-            ],
+            columns: &[Link("origin", 'v'), Link("twin", 'h'), Link("next", 'h'), Link("prev", 'h'), Link("face", 'f')],
         },
-        TableSchema { word: "face", letter: 'f', columns: &[ColumnSchema::Link("half_edge", 'h')] },
+        TableSchema { word: "face", letter: 'f', columns: &[Link("half_edge", 'h')] },
     ],
 };
 

@@ -81,75 +81,74 @@ crate::features! {
 /// What holds of a call.
 pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     let numbers = exchange.numbers();
-    add(Word::Tiny, numbers.iter().any(|x| *x != 0.0 && x.abs() < 1e-15));
-    add(Word::Far, numbers.iter().any(|x| x.abs() > 1e8));
+    set.add(Word::Tiny, numbers.iter().any(|x| *x != 0.0 && x.abs() < 1e-15));
+    set.add(Word::Far, numbers.iter().any(|x| x.abs() > 1e8));
     if exchange.function == "sign_of_sum" {
-        add_sum(&mut add, &numbers);
+        add_sum(&mut set, &numbers);
         set.more(VOCABULARY, "numbers_N", numbers.len());
         return Some(set.bits());
     }
-    add(Word::Fraction, numbers.iter().any(|x| x.fract() != 0.0));
-    add(Word::Negative, numbers.iter().any(|x| *x < 0.0));
-    add(Word::NotOrigin, numbers.iter().take(2).any(|x| *x != 0.0));
+    set.add(Word::Fraction, numbers.iter().any(|x| x.fract() != 0.0));
+    set.add(Word::Negative, numbers.iter().any(|x| *x < 0.0));
+    set.add(Word::NotOrigin, numbers.iter().take(2).any(|x| *x != 0.0));
     match exchange.function {
-        "in_triangle" => add_triangle(&mut add, points(exchange)?),
-        "in_circle" => add_circle(&mut add, points(exchange)?),
-        _ => add_turn(&mut add, points(exchange)?),
+        "in_triangle" => add_triangle(&mut set, points(exchange)?),
+        "in_circle" => add_circle(&mut set, points(exchange)?),
+        _ => add_turn(&mut set, points(exchange)?),
     }
     Some(set.bits())
 }
 
-fn add_turn(add: &mut impl FnMut(Word, bool), [p, q, r]: [[f64; 2]; 3]) {
+fn add_turn(set: &mut FeatureSet, [p, q, r]: [[f64; 2]; 3]) {
     let (truth, doubles, [one, other]) = (orientation(p, q, r), naive(p, q, r), products(p, q, r));
-    add(Word::Straight, truth == 0);
-    add(Word::Bent, truth != 0);
-    add(Word::Left, truth > 0);
-    add(Word::Right, truth < 0);
-    add(Word::NotRight, truth >= 0);
-    add(Word::NotLeft, truth <= 0);
-    add(Word::DoublesWrong, doubles != truth);
-    add(Word::DoublesZero, doubles == 0 && truth != 0);
-    add(Word::Even, one - other == 0.0);
-    add(Word::Opposite, one * other < 0.0);
-    add(Word::OtherNegative, other < 0.0);
-    add(Word::BothNegative, one < 0.0 && other < 0.0);
-    add(Word::OtherNotZero, other != 0.0);
-    add(Word::SignOfSum, sum::sign_of(&[one, other]) != sum::sign_of(&[one, -other]));
+    set.add(Word::Straight, truth == 0);
+    set.add(Word::Bent, truth != 0);
+    set.add(Word::Left, truth > 0);
+    set.add(Word::Right, truth < 0);
+    set.add(Word::NotRight, truth >= 0);
+    set.add(Word::NotLeft, truth <= 0);
+    set.add(Word::DoublesWrong, doubles != truth);
+    set.add(Word::DoublesZero, doubles == 0 && truth != 0);
+    set.add(Word::Even, one - other == 0.0);
+    set.add(Word::Opposite, one * other < 0.0);
+    set.add(Word::OtherNegative, other < 0.0);
+    set.add(Word::BothNegative, one < 0.0 && other < 0.0);
+    set.add(Word::OtherNotZero, other != 0.0);
+    set.add(Word::SignOfSum, sum::sign_of(&[one, other]) != sum::sign_of(&[one, -other]));
     let may_differ = TOLERANCE * (one.abs() + other.abs());
-    add(Word::OriginMatters, (q[0] * r[1] - q[1] * r[0] - (one - other)).abs() > may_differ);
-    add(Word::CoordinatesLose, (apart(p, q, r) - (one - other)).abs() > may_differ);
-    add(Word::SmallArea, doubles != 0 && (one - other).abs() < 1e-9);
+    set.add(Word::OriginMatters, (q[0] * r[1] - q[1] * r[0] - (one - other)).abs() > may_differ);
+    set.add(Word::CoordinatesLose, (apart(p, q, r) - (one - other)).abs() > may_differ);
+    set.add(Word::SmallArea, doubles != 0 && (one - other).abs() < 1e-9);
     let slope = |to: [f64; 2]| (to[1] - p[1]) / (to[0] - p[0]);
     let slopes = (slope(r) - slope(q)).partial_cmp(&0.0).map_or(0, |sign| sign as i32);
-    add(Word::Slopes, slopes != doubles);
+    set.add(Word::Slopes, slopes != doubles);
     let (gap, size) = ((one - other).abs(), one.abs() + other.abs());
     let sure = gap > SURE * size;
-    add(Word::DoublesOpposite, doubles != truth && doubles != 0);
-    add(Word::DoublesWrongLarge, doubles != truth && gap > 1e-12);
-    add(Word::SureSmall, sure && gap <= 1e-12);
-    add(Word::SureRight, sure && truth < 0);
-    add(Word::SureClose, sure && gap <= 4e6 * (f64::EPSILON / 2.0) * size);
+    set.add(Word::DoublesOpposite, doubles != truth && doubles != 0);
+    set.add(Word::DoublesWrongLarge, doubles != truth && gap > 1e-12);
+    set.add(Word::SureSmall, sure && gap <= 1e-12);
+    set.add(Word::SureRight, sure && truth < 0);
+    set.add(Word::SureClose, sure && gap <= 4e6 * (f64::EPSILON / 2.0) * size);
     let six = [q[0] * r[1], -q[0] * p[1], -p[0] * r[1], -q[1] * r[0], q[1] * p[0], p[1] * r[0]];
-    add(Word::RoundedProducts, sum::sign_of(&six) != truth);
-    add(Word::RoundedDifferences, {
+    set.add(Word::RoundedProducts, sum::sign_of(&six) != truth);
+    set.add(Word::RoundedDifferences, {
         let mut exact = ExactSum::default();
         exact.add_product(q[0] - p[0], r[1] - p[1]);
         exact.add_product(-(q[1] - p[1]), r[0] - p[0]);
         exact.sign() != truth
     });
-    add(Word::LastProduct, {
+    set.add(Word::LastProduct, {
         let mut exact = ExactSum::default();
         for (a, b) in [(q[0], r[1]), (-q[0], p[1]), (-p[0], r[1]), (-q[1], r[0]), (q[1], p[0]), (-p[1], r[0])] {
             exact.add_product(a, b);
         }
         exact.sign() != truth
     });
-    add(Word::Doubt, (one - other).abs() <= 4.0 * (f64::EPSILON / 2.0) * (one.abs() + other.abs()));
+    set.add(Word::Doubt, (one - other).abs() <= 4.0 * (f64::EPSILON / 2.0) * (one.abs() + other.abs()));
 }
 
-fn add_triangle(add: &mut impl FnMut(Word, bool), [p, a, b, c]: [[f64; 2]; 4]) {
+fn add_triangle(set: &mut FeatureSet, [p, a, b, c]: [[f64; 2]; 4]) {
     let place = place_in_triangle(p, [a, b, c]);
     let clockwise = orientation(a, b, c) < 0;
     let corner = [a, b, c].contains(&p);
@@ -158,23 +157,23 @@ fn add_triangle(add: &mut impl FnMut(Word, bool), [p, a, b, c]: [[f64; 2]; 4]) {
         let all = [a[i], b[i], c[i]];
         all.iter().any(|x| *x <= p[i]) && all.iter().any(|x| *x >= p[i])
     };
-    add(Word::OnCorner, corner);
-    add(Word::OnSide, place == 0 && !corner);
-    add(Word::OnBoundary, place == 0);
-    add(Word::Inside, place > 0);
-    add(Word::Outside, place < 0);
-    add(Word::OnLine, place < 0 && on_a_line);
-    add(Word::CornersLeft, !clockwise);
-    add(Word::CornersRight, clockwise);
-    add(Word::InsideRight, clockwise && place > 0);
-    add(Word::OutsideRight, clockwise && place < 0);
+    set.add(Word::OnCorner, corner);
+    set.add(Word::OnSide, place == 0 && !corner);
+    set.add(Word::OnBoundary, place == 0);
+    set.add(Word::Inside, place > 0);
+    set.add(Word::Outside, place < 0);
+    set.add(Word::OnLine, place < 0 && on_a_line);
+    set.add(Word::CornersLeft, !clockwise);
+    set.add(Word::CornersRight, clockwise);
+    set.add(Word::InsideRight, clockwise && place > 0);
+    set.add(Word::OutsideRight, clockwise && place < 0);
     let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| orientation(from, to, p));
-    add(Word::OnlyThird, place < 0 && sides[0] * sides[1] >= 0);
-    add(Word::OnLineSecond, place < 0 && sides[1] == 0);
-    add(Word::InBox, place < 0 && within(0) && within(1));
+    set.add(Word::OnlyThird, place < 0 && sides[0] * sides[1] >= 0);
+    set.add(Word::OnLineSecond, place < 0 && sides[1] == 0);
+    set.add(Word::InBox, place < 0 && within(0) && within(1));
 }
 
-fn add_circle(add: &mut impl FnMut(Word, bool), points: [[f64; 2]; 4]) {
+fn add_circle(set: &mut FeatureSet, points: [[f64; 2]; 4]) {
     let place = place_in_circle(points);
     let clockwise = orientation(points[0], points[1], points[2]) < 0;
     // Cases have whole coordinates: doubles are exact.
@@ -183,18 +182,18 @@ fn add_circle(add: &mut impl FnMut(Word, bool), points: [[f64; 2]; 4]) {
     let part = |x: f64, y: f64, one: f64| (x * x + y * y) * one;
     let parts = [part(ax, ay, bx * cy - by * cx), part(bx, by, ax * cy - ay * cx), part(cx, cy, ax * by - ay * bx)];
     let sign = |x: f64| x.partial_cmp(&0.0).map_or(0, |sign| sign as i32);
-    add(Word::CircleMiddle, sign(parts[0] + parts[1] + parts[2]) != sign(parts[0] - parts[1] + parts[2]));
-    add(Word::CircleDiameter, sign(-(ax * cx + ay * cy)) != place);
-    add(Word::OnCircle, place == 0);
-    add(Word::InCircle, place > 0);
-    add(Word::OutCircle, place < 0);
-    add(Word::OffCircle, place != 0);
-    add(Word::OffCircleRight, place != 0 && clockwise);
-    add(Word::CornersLeft, !clockwise);
-    add(Word::CornersRight, clockwise);
+    set.add(Word::CircleMiddle, sign(parts[0] + parts[1] + parts[2]) != sign(parts[0] - parts[1] + parts[2]));
+    set.add(Word::CircleDiameter, sign(-(ax * cx + ay * cy)) != place);
+    set.add(Word::OnCircle, place == 0);
+    set.add(Word::InCircle, place > 0);
+    set.add(Word::OutCircle, place < 0);
+    set.add(Word::OffCircle, place != 0);
+    set.add(Word::OffCircleRight, place != 0 && clockwise);
+    set.add(Word::CornersLeft, !clockwise);
+    set.add(Word::CornersRight, clockwise);
 }
 
-fn add_sum(add: &mut impl FnMut(Word, bool), numbers: &[f64]) {
+fn add_sum(set: &mut FeatureSet, numbers: &[f64]) {
     let sign = sum::sign_of(numbers);
     let plain: f64 = numbers.iter().sum();
     let plain = plain.partial_cmp(&0.0).map_or(0, |sign| sign as i32);
@@ -206,19 +205,19 @@ fn add_sum(add: &mut impl FnMut(Word, bool), numbers: &[f64]) {
         so_far += x;
     }
     let exact = grown(numbers, false);
-    add(Word::SmallestPart, exact.first().map_or(0, |&x| sum::sign_of(&[x])) != sign);
-    add(Word::Compensated, grown(numbers, true).last().map_or(0, |&x| sum::sign_of(&[x])) != sign);
+    set.add(Word::SmallestPart, exact.first().map_or(0, |&x| sum::sign_of(&[x])) != sign);
+    set.add(Word::Compensated, grown(numbers, true).last().map_or(0, |&x| sum::sign_of(&[x])) != sign);
     let largest = numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
-    add(Word::NoNumbers, numbers.is_empty());
-    add(Word::SumZero, sign == 0);
-    add(Word::SumPositive, sign > 0);
-    add(Word::SumNegative, sign < 0);
+    set.add(Word::NoNumbers, numbers.is_empty());
+    set.add(Word::SumZero, sign == 0);
+    set.add(Word::SumPositive, sign > 0);
+    set.add(Word::SumNegative, sign < 0);
     let mut sorted = numbers.to_vec();
     sorted.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
-    add(Word::SortedLost, sum::sign_of(&[sorted.iter().sum()]) != sign);
-    add(Word::SumLost, plain != sign);
-    add(Word::SumRounded, rounded);
-    add(Word::LargestLast, numbers.last().is_some_and(|x| x.abs() >= largest));
+    set.add(Word::SortedLost, sum::sign_of(&[sorted.iter().sum()]) != sign);
+    set.add(Word::SumLost, plain != sign);
+    set.add(Word::SumRounded, rounded);
+    set.add(Word::LargestLast, numbers.last().is_some_and(|x| x.abs() >= largest));
 }
 
 /// The sum in parts that do not overlap, the smallest first (Shewchuk's grow-expansion); or, as a compensated sum has it,

@@ -86,13 +86,8 @@ fn area(exchange: &Exchange, found: &[Value], part: f64) -> Option<Wrong> {
     if (found - expected).abs() <= may_differ {
         return None;
     }
-    let because = match orientation(p, q, r) {
-        1 => "the points turn left",
-        -1 => "the points turn right",
-        _ => "the points are on one line",
-    };
     let is = |x: f64| (found - x).abs() <= may_differ;
-    Some(Wrong::value(&Value::Number(expected), because).is([
+    Some(Wrong::value(&Value::Number(expected), way(orientation(p, q, r))).is([
         (expected.abs() > 0.0 && is(-expected), "the opposite of the area"),
         (expected.abs() > 0.0 && is(expected.abs()), "the area without its sign"),
         (expected.abs() > 0.0 && is(2.0 * expected), "twice the area"),
@@ -110,8 +105,14 @@ fn same(x: f64, y: f64) -> bool {
     x.partial_cmp(&y) == Some(Ordering::Equal)
 }
 
-/// What a wrong sign is.
-fn sign_is(wrong: Wrong, found: f64, expected: i32, others: &[(bool, &'static str)]) -> Wrong {
+/// What is wrong with a sign that was given back; `others` are further things that a wrong one may be.
+fn sign<const N: usize>(
+    found: &[Value],
+    expected: i32,
+    because: &str,
+    others: impl Fn(f64) -> [(bool, &'static str); N],
+) -> Option<Wrong> {
+    let [Value::Number(found)] = *found else { return Some(Wrong::kind("one sign")) };
     let all = [
         (expected != 0 && same(found, f64::from(-expected)), "the opposite sign"),
         (same(found, 1.0), "always 1"),
@@ -119,7 +120,9 @@ fn sign_is(wrong: Wrong, found: f64, expected: i32, others: &[(bool, &'static st
         (same(found, 0.0), "always 0"),
         (found.abs() > 1.0, "a number that is no sign"),
     ];
-    wrong.is(others.iter().copied().chain(all))
+    let expected = f64::from(expected);
+    let wrong = || Wrong::value(&Value::Number(expected), because).is(others(found)).is(all);
+    (!same(found, expected)).then(wrong)
 }
 
 fn way(sign: i32) -> &'static str {
@@ -132,31 +135,21 @@ fn way(sign: i32) -> &'static str {
 
 fn turn(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
     let [p, q, r] = points(exchange)?;
-    let [Value::Number(found)] = *found else { return Some(Wrong::kind("one sign")) };
     let (expected, truth) = (naive(p, q, r), orientation(p, q, r));
-    if same(found, f64::from(expected)) {
-        return None;
-    }
     let because = if expected == truth {
         way(expected)
     } else {
         "that is what the formula of the handout gives in doubles, here wrongly; `turn` is that formula"
     };
-    let wrong = Wrong::value(&Value::Number(f64::from(expected)), because);
-    Some(sign_is(wrong, found, expected, &[(expected != truth && same(found, f64::from(truth)), "the true sign")]))
+    let is_true = |found| [(expected != truth && same(found, f64::from(truth)), "the true sign")];
+    sign(found, expected, because, is_true)
 }
 
 fn exact(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
     let [p, q, r] = points(exchange)?;
-    let [Value::Number(found)] = *found else { return Some(Wrong::kind("one sign")) };
-    let expected = orientation(p, q, r);
-    if same(found, f64::from(expected)) {
-        return None;
-    }
-    let doubles = naive(p, q, r);
-    let wrong = Wrong::value(&Value::Number(f64::from(expected)), way(expected));
-    let naive = (doubles != expected && same(found, f64::from(doubles)), "the sign that the formula has in doubles");
-    Some(sign_is(wrong, found, expected, &[naive]))
+    let (expected, doubles) = (orientation(p, q, r), naive(p, q, r));
+    let in_doubles = |found| doubles != expected && same(found, f64::from(doubles));
+    sign(found, expected, way(expected), |found| [(in_doubles(found), "the sign that the formula has in doubles")])
 }
 
 fn triangle(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
@@ -173,49 +166,39 @@ fn triangle(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
 }
 
 fn circle(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
-    let points = points(exchange)?;
-    let [Value::Number(found)] = *found else { return Some(Wrong::kind("one sign")) };
-    let expected = place_in_circle(points);
-    if same(found, f64::from(expected)) {
-        return None;
-    }
+    let expected = place_in_circle(points(exchange)?);
     let because = match expected {
         1 => "the fourth point is inside",
         0 => "the four points are on one circle",
         _ => "the fourth point is outside",
     };
-    let wrong = Wrong::value(&Value::Number(f64::from(expected)), because);
-    Some(sign_is(wrong, found, expected, &[]))
+    sign(found, expected, because, |_| [])
 }
 
 fn sum_of(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
     let numbers = exchange.numbers();
-    let [Value::Number(found)] = *found else { return Some(Wrong::kind("one sign")) };
     let expected = sum::sign_of(&numbers);
-    if same(found, f64::from(expected)) {
-        return None;
-    }
     let because = match expected {
         1 => "the sum is above zero",
         -1 => "the sum is below zero",
         _ => "the sum is zero",
     };
-    let sign = |x: f64| x.partial_cmp(&0.0).unwrap_or(Ordering::Equal) as i32;
-    let plain = sign(numbers.iter().copied().sum());
+    let is_sign_of = |found, x: f64| same(found, f64::from(x.partial_cmp(&0.0).unwrap_or(Ordering::Equal) as i32));
     let largest = numbers.iter().copied().fold(0.0, |most: f64, x| if x.abs() > most.abs() { x } else { most });
-    let wrong = Wrong::value(&Value::Number(f64::from(expected)), because);
-    let others = [
-        (same(found, f64::from(plain)), "the sign of the sum in doubles"),
-        (same(found, f64::from(sign(largest))), "the sign of the largest number"),
-        (same(found, f64::from(numbers.last().map_or(0, |&x| sign(x)))), "the sign of the last number"),
-    ];
-    Some(sign_is(wrong, found, expected, &others))
+    let last = numbers.last().copied().unwrap_or_default();
+    sign(found, expected, because, |found| {
+        [
+            (is_sign_of(found, numbers.iter().sum()), "the sign of the sum in doubles"),
+            (is_sign_of(found, largest), "the sign of the largest number"),
+            (is_sign_of(found, last), "the sign of the last number"),
+        ]
+    })
 }
 
 /// Whether a filter may give this answer: `None` for "doubles cannot tell".
 fn filter(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
     let [p, q, r] = points(exchange)?;
-    let found = match *found {
+    let found_sign = match *found {
         [Value::Number(sign)] => Some(sign),
         [Value::Refusal(_)] => None,
         _ => return Some(Wrong::kind("a sign or nothing")),
@@ -223,25 +206,22 @@ fn filter(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
     let truth = orientation(p, q, r);
     let [one, other] = products(p, q, r);
     let sure = (one - other).abs() > SURE * (one.abs() + other.abs());
-    match found {
+    match found_sign {
         None if sure => {
             let because =
                 format!("the two products are {one:e} and {other:e}, far enough apart to be sure that {}", way(truth));
             Some(Wrong::because("gives up", because).is([(true, "None where doubles are sure")]))
         }
-        Some(sign) if naive(p, q, r) != truth => {
+        Some(found) if naive(p, q, r) != truth => {
             let because = format!(
                 "the two products are {one:e} and {other:e}, and doubles cannot tell that {}: expected None",
                 way(truth)
             );
             let wrong = Wrong::because("too sure", because);
-            Some(wrong.is([(!same(sign, f64::from(truth)), "the wrong sign that the formula has in doubles")]))
+            Some(wrong.is([(!same(found, f64::from(truth)), "the wrong sign that the formula has in doubles")]))
         }
-        Some(sign) if !same(sign, f64::from(truth)) => {
-            let wrong = Wrong::value(&Value::Number(f64::from(truth)), way(truth));
-            Some(sign_is(wrong, sign, truth, &[]))
-        }
-        _ => None,
+        Some(_) => sign(found, truth, way(truth), |_| []),
+        None => None,
     }
 }
 

@@ -2,15 +2,11 @@
 
 use super::map;
 use crate::cases::random::Random;
-use std::fmt::Write;
+use crate::cases::starts::{shorter, words};
 
 /// A call as it is typed: its word, then numbers, each in its shorter form.
 pub(super) fn line(word: &str, numbers: impl IntoIterator<Item = f64>) -> String {
-    numbers.into_iter().fold(word.to_owned(), |mut out, x| {
-        let (plain, powers) = (x.to_string(), format!("{x:e}"));
-        let _ = write!(out, " {}", if powers.len() < plain.len() { powers } else { plain });
-        out
-    })
+    format!("{word}{}", words(numbers.into_iter().map(shorter)))
 }
 
 /// A call for points.

@@ -125,9 +125,8 @@ fn random(word: &str, seed: u64) -> Vec<Case> {
 }
 
 fn case(word: &str, name: &str, lines: impl IntoIterator<Item = String>) -> Case {
-    let mut case = Case::new(format!("{word}.{name}"), Start::none());
-    case.steps.extend(lines.into_iter().map(|line| Step::of_line(&line)));
-    case
+    let calls = lines.into_iter().map(|line| Step::of_line(&line));
+    Case::new(format!("{word}.{name}"), Start::none()).calls(calls, &[])
 }
 
 /// Every place of a third point on a grid of 5 times 5, seen from two others.

@@ -8,14 +8,14 @@
 
 use crate::cases::cycles::from_cycles;
 use crate::fault::{Fault, FaultKind, answered};
+use crate::many::{self, QUESTIONS};
 use crate::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
 use dcel_kit::FaceId;
 use dcel_kit::topology::Table;
 use std::sync::{Arc, OnceLock};
 
 const SIDE: u32 = 130;
-/// How often each split is asked for, and how many reads these have together. The solution needs about 320,000.
-const QUESTIONS: usize = 10_000;
+/// How many reads the many splits of a kind have together. The solution needs about 320,000.
 const BUDGET: u64 = 1_000_000;
 const RECORDS: u64 = 6 * SIDE as u64 * SIDE as u64;
 
@@ -35,15 +35,11 @@ fn large_torus() -> Arc<Table> {
 
 /// Single splits, then many.
 pub(super) fn questions() -> Case {
-    let mut case = Case::new("large.torus", Start::table(large_torus())).step(Step::Changes);
-    for line in ["split_vertex h67000 h67000.prev.twin", "split_vertex h300 h300", "split_face h67200 h67200.next.next"]
-    {
-        case = case.step(Step::of_line(line)).step(Step::Changes);
-    }
-    for function in ["spur", "cut_corner"] {
-        case = case.step(Step::Many { function: function.to_owned(), count: QUESTIONS, budget: BUDGET });
-    }
-    case
+    let case = Case::new("large.torus", Start::table(large_torus())).step(Step::Changes);
+    let lines =
+        ["split_vertex h67000 h67000.prev.twin", "split_vertex h300 h300", "split_face h67200 h67200.next.next"];
+    case.calls(lines.map(Step::of_line), &[Step::Changes])
+        .calls(["spur", "cut_corner"].map(|function| many::step(function, BUDGET)), &[])
 }
 
 /// What is wrong with many splits.

@@ -41,54 +41,54 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
         let radius_is_0 = |word: Option<&String>| word.and_then(|word| word.parse().ok()) == Some(0.0);
         let ends = [radius_is_0(rows.first()), radius_is_0(rows.iter().rev().nth(1))];
         let rings = rows.len() / 2 - ends.iter().filter(|&&end| end).count();
-        set.either(Word::TwoRings as u32, Word::OneRing as u32, rings > 1);
-        set.add(Word::PoleBelow as u32, ends[0]);
-        set.add(Word::PoleAbove as u32, ends[1]);
-        set.add(Word::Open as u32, ends == [false; 2]);
+        set.either(Word::TwoRings, Word::OneRing, rings > 1);
+        set.add(Word::PoleBelow, ends[0]);
+        set.add(Word::PoleAbove, ends[1]);
+        set.add(Word::Open, ends == [false; 2]);
     } else if let [.., last] = numbers[..] {
-        set.add(Word::NoLayer as u32, last == 0);
-        set.add(Word::OneLayer as u32, last == 1);
-        set.add(Word::OnePiece as u32, numbers.iter().all(|&n| n == 1));
-        set.add(Word::SquareCells as u32, matches!(numbers[..], [n, m] if n == m));
+        set.add(Word::NoLayer, last == 0);
+        set.add(Word::OneLayer, last == 1);
+        set.add(Word::OnePiece, numbers.iter().all(|&n| n == 1));
+        set.add(Word::SquareCells, matches!(numbers[..], [n, m] if n == m));
     }
     let Some(before) = exchange.before() else { return Some(set.bits()) };
     let genus = super::growth::genus(before);
-    set.add(Word::Torus as u32, genus == 1);
-    set.add(Word::Sphere as u32, genus == 0);
+    set.add(Word::Torus, genus == 1);
+    set.add(Word::Sphere, genus == 0);
     let ids: Vec<HalfEdgeId> = exchange.called?.0.iter().map(|&id| HalfEdgeId::new(id)).collect();
     match (exchange.function, &ids[..]) {
         ("split_vertex", &[first, last]) => {
             let is_refused = before.origin(first) != before.origin(last);
-            set.either(Word::Refused as u32, Word::Belong as u32, is_refused);
+            set.either(Word::Refused, Word::Belong, is_refused);
             let beside = [first, last].map(|h| before.twin(h).and_then(|twin| before.face(twin)));
-            set.add(Word::TwoFaces as u32, !is_refused && beside[0] != beside[1]);
+            set.add(Word::TwoFaces, !is_refused && beside[0] != beside[1]);
             let mut moved = Vec::new();
             let mut h = first;
             while !is_refused && h != last && moved.len() <= before.half_edges.len() {
                 moved.push(h);
                 h = turned(before, h)?;
             }
-            set.add(Word::Spur as u32, !is_refused && moved.is_empty());
-            set.add(Word::OneMoves as u32, moved.len() == 1);
-            set.add(Word::SeveralMove as u32, moved.len() > 1);
-            set.add(Word::Stored as u32, before.outgoing(before.origin(first)?).is_some_and(|h| moved.contains(&h)));
+            set.add(Word::Spur, !is_refused && moved.is_empty());
+            set.add(Word::OneMoves, moved.len() == 1);
+            set.add(Word::SeveralMove, moved.len() > 1);
+            set.add(Word::Stored, before.outgoing(before.origin(first)?).is_some_and(|h| moved.contains(&h)));
         }
         ("split_face", &[h1, h2]) => {
-            set.either(Word::Refused as u32, Word::Belong as u32, before.face(h1) != before.face(h2));
+            set.either(Word::Refused, Word::Belong, before.face(h1) != before.face(h2));
             if before.face(h1) == before.face(h2) {
                 let all = round(before, h2)?;
                 let new = &all[..all.iter().position(|&h| h == h1)?];
-                set.add(Word::StoredFace as u32, before.half_edge(before.face(h1)?).is_some_and(|h| new.contains(&h)));
-                set.add(Word::Antenna as u32, new.iter().any(|&h| before.twin(h).is_some_and(|h| new.contains(&h))));
-                set.add(Word::Many as u32, all.len() > 8);
+                set.add(Word::StoredFace, before.half_edge(before.face(h1)?).is_some_and(|h| new.contains(&h)));
+                set.add(Word::Antenna, new.iter().any(|&h| before.twin(h).is_some_and(|h| new.contains(&h))));
+                set.add(Word::Many, all.len() > 8);
             }
         }
         (_, &[h, ..]) => {
             let sides = round(before, h)?.len();
-            set.add(Word::Many as u32, sides > 8);
-            set.add(Word::Triangle as u32, sides == 3);
+            set.add(Word::Many, sides > 8);
+            set.add(Word::Triangle, sides == 3);
             if exchange.function == "divide" {
-                set.either(Word::Tip as u32, Word::NoTip as u32, turned(before, h) == Some(h));
+                set.either(Word::Tip, Word::NoTip, turned(before, h) == Some(h));
             }
         }
         _ => {}

@@ -8,7 +8,9 @@
 
 use super::reference::{self, round};
 use crate::answers::Wrong;
+use crate::cases::numbers;
 use crate::cases::random::Random;
+use crate::checks::walks::half_edges;
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{Table, View};
@@ -148,21 +150,14 @@ fn renumbered(table: &Table, random: &mut Random) -> (Table, Vec<usize>) {
     let vertex = |v: VertexId| VertexId::new(orders[0][v.index()] as u32);
     let half_edge = |h: HalfEdgeId| HalfEdgeId::new(orders[1][h.index()] as u32);
     let face = |f: FaceId| FaceId::new(orders[2][f.index()] as u32);
-    let mut out = table.clone();
-    for (h, row) in table.half_edges.iter().enumerate() {
-        let Some(mut row) = *row else { continue };
-        row.origin = row.origin.map(vertex);
-        row.face = row.face.map(face);
-        for link in [&mut row.twin, &mut row.next, &mut row.prev] {
-            *link = link.map(half_edge);
-        }
-        // The last one that is seen is stored, whichever that is.
-        let new = half_edge(HalfEdgeId::new(h as u32));
-        out.half_edges[new.index()] = Some(row);
-        if let Some(Some(stores)) = row.origin.and_then(|v| out.vertices.get_mut(v.index())) {
+    let mut out = numbers::renumbered(table, vertex, half_edge, face);
+    // The last one that is seen is stored, whichever that is.
+    for new in half_edges(table).map(half_edge) {
+        let (origin, face) = (out.origin(new), out.face(new));
+        if let Some(Some(stores)) = origin.and_then(|v| out.vertices.get_mut(v.index())) {
             stores.outgoing = Some(new);
         }
-        if let Some(Some(stores)) = row.face.and_then(|f| out.faces.get_mut(f.index())) {
+        if let Some(Some(stores)) = face.and_then(|f| out.faces.get_mut(f.index())) {
             stores.half_edge = Some(new);
         }
     }

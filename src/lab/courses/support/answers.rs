@@ -200,10 +200,6 @@ fn climb(model: &Model, from: usize, d: Place, values: &[Value]) -> Option<(&'st
     if found.first() != Some(&from) {
         return Some(("start", format!("it should begin with v{from}")));
     }
-    let best_beside = |v: usize| {
-        let all = model.neighbours(v);
-        all.into_iter().reduce(|best, u| if model.higher(d, u, best).is_gt() { u } else { best })
-    };
     for pair in found.windows(2) {
         let [v, next] = [pair[0], pair[1]];
         if !model.neighbours(v).contains(&next) {
@@ -212,11 +208,11 @@ fn climb(model: &Model, from: usize, d: Place, values: &[Value]) -> Option<(&'st
         if model.higher(d, next, v).is_le() {
             return Some(("level", format!("v{next} is not higher than v{v}")));
         }
-        if let Some(best) = best_beside(v).filter(|&best| model.higher(d, best, next).is_gt()) {
+        if let Some(best) = model.steepest(v, d).filter(|&best| model.higher(d, best, next).is_gt()) {
             return Some(("steepest", format!("of the neighbours of v{v}, v{best} is higher than v{next}")));
         }
     }
     let last = *found.last()?;
-    let higher = best_beside(last).filter(|&best| model.higher(d, best, last).is_gt())?;
+    let higher = model.steepest(last, d)?;
     Some(("early", format!("it ends at v{last}, beside which v{higher} is higher")))
 }

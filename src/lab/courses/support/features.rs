@@ -103,10 +103,10 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     if is_edit {
         let free = |table: usize| records.rows(table).filter(|row| !is_live(row)).count();
-        set.add(Word::FreeVertex as u32, free(0) > 0);
-        set.add(Word::TwoFree as u32, free(0) > 1);
-        set.add(Word::FreeHalfEdge as u32, free(1) > 0);
-        set.add(Word::FreeFace as u32, free(2) > 0);
+        set.add(Word::FreeVertex, free(0) > 0);
+        set.add(Word::TwoFree, free(0) > 1);
+        set.add(Word::FreeHalfEdge, free(1) > 0);
+        set.add(Word::FreeFace, free(2) > 0);
     }
     match (exchange.function, &ids[..]) {
         ("add_face", &[a, b, c]) => add_face(&mut set, &model, earlier, [a, b, c]),
@@ -129,20 +129,19 @@ fn both(side: (usize, usize), model: &Model) -> bool {
 fn add_face(set: &mut FeatureSet, model: &Model, earlier: &[&Exchange], corners: [usize; 3]) {
     let [a, b, c] = corners;
     let sides = [(a, b), (b, c), (c, a)];
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     let is_legal = model.refusal(corners).is_none();
     let there = |side: &(usize, usize)| both(*side, model);
-    add(Word::Legal, is_legal);
-    add(Word::Refused, !is_legal);
+    set.add(Word::Legal, is_legal);
+    set.add(Word::Refused, !is_legal);
     let same = a == b || b == c || c == a;
     let missing = corners.iter().any(|&v| model.place(v).is_none());
     let taken = sides.iter().any(|side| model.across.contains_key(side));
-    add(Word::SameCorner, same && !missing && !taken);
-    add(Word::NoVertex, missing && !same && !taken);
-    add(Word::FreeCorner, missing && !same && !taken && corners.iter().all(|&v| v < model.vertices.len()));
-    add(Word::Taken, taken && !same && !missing);
-    add(Word::EdgeThere, is_legal && sides.iter().any(there));
-    add(Word::NewEdge, is_legal && !sides.iter().all(there));
+    set.add(Word::SameCorner, same && !missing && !taken);
+    set.add(Word::NoVertex, missing && !same && !taken);
+    set.add(Word::FreeCorner, missing && !same && !taken && corners.iter().all(|&v| v < model.vertices.len()));
+    set.add(Word::Taken, taken && !same && !missing);
+    set.add(Word::EdgeThere, is_legal && sides.iter().any(there));
+    set.add(Word::NewEdge, is_legal && !sides.iter().all(there));
     // What the calls before it have made and removed.
     let (mut made, mut gone) = (BTreeSet::new(), BTreeSet::new());
     let states: Vec<Model> = earlier.iter().filter_map(|call| call.records_before()).map(|r| model_of(r)).collect();
@@ -155,38 +154,36 @@ fn add_face(set: &mut FeatureSet, model: &Model, earlier: &[&Exchange], corners:
         gone.extend(before.difference(&after).copied());
     }
     let known = |all: &BTreeSet<(usize, usize)>, (a, b): (usize, usize)| all.contains(&(a.min(b), a.max(b)));
-    add(Word::EdgeMade, is_legal && sides.iter().any(|&side| there(&side) && known(&made, side)));
-    add(Word::EdgeGone, is_legal && sides.iter().any(|&side| !there(&side) && known(&gone, side)));
+    set.add(Word::EdgeMade, is_legal && sides.iter().any(|&side| there(&side) && known(&made, side)));
+    set.add(Word::EdgeGone, is_legal && sides.iter().any(|&side| !there(&side) && known(&gone, side)));
 }
 
 fn remove_face(set: &mut FeatureSet, model: &Model, records: &Records, (a, b): (usize, usize)) -> Option<()> {
     let c = *model.across.get(&(a, b))?;
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     let sides = [(a, b), (b, c), (c, a)];
     let count = sides.iter().filter(|&&(a, b)| model.across.contains_key(&(b, a))).count();
-    add(Word::AtBorder, count < 3);
-    add(Word::Beside, count > 0);
-    add(Word::Inside, count == 3);
+    set.add(Word::AtBorder, count < 3);
+    set.add(Word::Beside, count > 0);
+    set.add(Word::Inside, count == 3);
     let stored = |&(from, to): &(usize, usize)| {
         let outgoing = records.row(0, from)?[3].to()?;
         Some(ends(records, records.row(1, outgoing as usize)?)? == (from, to))
     };
-    add(Word::Stored, sides.iter().any(|side| stored(side) == Some(true)));
+    set.add(Word::Stored, sides.iter().any(|side| stored(side) == Some(true)));
     let mut after = model.clone();
     after.remove_face(a, b);
     let first = |v: usize| after.neighbours(v).into_iter().next().is_some_and(|u| !after.across.contains_key(&(v, u)));
-    add(Word::FirstBorder, [a, b, c].into_iter().any(first));
+    set.add(Word::FirstBorder, [a, b, c].into_iter().any(first));
     Some(())
 }
 
 fn remove_vertex(set: &mut FeatureSet, model: &Model, records: &Records, v: usize) {
     let with = model.sides_from(v).len();
     let all = model.neighbours(v).len();
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
-    add(Word::NoFace, with == 0);
-    add(Word::HasFace, with > 0);
-    add(Word::Open, with > 0 && with < all);
-    add(Word::Closed, with > 0 && with == all);
+    set.add(Word::NoFace, with == 0);
+    set.add(Word::HasFace, with > 0);
+    set.add(Word::Open, with > 0 && with < all);
+    set.add(Word::Closed, with > 0 && with == all);
     // A turn by the twin of the previous one, from the half-edge that is stored.
     let outgoing = records.row(0, v).and_then(|row| row[3].to());
     let first = outgoing.and_then(|h| ends(records, records.row(1, h as usize)?));
@@ -195,44 +192,42 @@ fn remove_vertex(set: &mut FeatureSet, model: &Model, records: &Records, v: usiz
         at = model.across.get(&(v, to)).copied();
     }
     let turned = met.iter().filter(|&&to| model.across.contains_key(&(v, to))).count();
-    add(Word::SecondFan, turned < with);
+    set.add(Word::SecondFan, turned < with);
 }
 
 fn heights(set: &mut FeatureSet, model: &Model, records: &Records, d: &[f64]) -> Option<()> {
     let d: Place = d.try_into().ok()?;
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
-    add(Word::Axis, d.iter().filter(|x| **x != 0.0).count() == 1);
+    set.add(Word::Axis, d.iter().filter(|x| **x != 0.0).count() == 1);
     let is_big = |x: &f64| x.abs() > 2.0_f64.powi(50);
-    add(Word::BigNumbers, records.rows(0).filter_map(place).flatten().any(|x| is_big(&x)));
+    set.add(Word::BigNumbers, records.rows(0).filter_map(place).flatten().any(|x| is_big(&x)));
     let Some(best) = model.highest(d) else {
-        add(Word::Empty, true);
+        set.add(Word::Empty, true);
         return Some(());
     };
-    add(Word::NotPositive, model.height(d, best) <= 0);
+    set.add(Word::NotPositive, model.height(d, best) <= 0);
     let mut with_free = model.clone();
     with_free.vertices = records.rows(0).map(place).collect();
     let highest = with_free.highest(d);
-    add(Word::FreeHigher, highest.is_some_and(|v| with_free.higher(d, v, best).is_gt()));
+    set.add(Word::FreeHigher, highest.is_some_and(|v| with_free.higher(d, v, best).is_gt()));
     let rounded = mistakes::rounded_scan(model, d);
-    add(Word::Rounded, rounded.is_some_and(|v| model.higher(d, best, v).is_gt()));
+    set.add(Word::Rounded, rounded.is_some_and(|v| model.higher(d, best, v).is_gt()));
     Some(())
 }
 
 fn climbs(set: &mut FeatureSet, model: &Model, from: usize, d: Place) {
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
     let neighbours = model.neighbours(from);
     let is_beside =
         |v: usize, order: std::cmp::Ordering| model.neighbours(v).into_iter().any(|u| model.higher(d, u, v) == order);
-    add(Word::Alone, neighbours.is_empty());
-    add(Word::Up, is_beside(from, std::cmp::Ordering::Greater));
-    add(Word::Level, is_beside(from, std::cmp::Ordering::Equal));
+    set.add(Word::Alone, neighbours.is_empty());
+    set.add(Word::Up, is_beside(from, std::cmp::Ordering::Greater));
+    set.add(Word::Level, is_beside(from, std::cmp::Ordering::Equal));
     let climb = mistakes::climb(model, from, d);
     let end = climb.last().copied().unwrap_or(from);
-    add(Word::Longer, climb.len() > 2);
-    add(Word::EndLevel, is_beside(end, std::cmp::Ordering::Equal));
-    add(Word::FirstHigher, mistakes::goes_to_first_higher(model, from, d));
+    set.add(Word::Longer, climb.len() > 2);
+    set.add(Word::EndLevel, is_beside(end, std::cmp::Ordering::Equal));
+    set.add(Word::FirstHigher, mistakes::goes_to_first_higher(model, from, d));
     let Some(best) = model.highest(d) else { return };
     let below = |v: usize| model.higher(d, best, v).is_gt();
-    add(Word::Stuck, below(end));
-    add(Word::Deep, below(mistakes::support(model, from, d, Plateau::Neighbours)));
+    set.add(Word::Stuck, below(end));
+    set.add(Word::Deep, below(mistakes::support(model, from, d, Plateau::Neighbours)));
 }

@@ -23,22 +23,15 @@ pub(super) fn rounded_scan(model: &Model, d: Place) -> Option<usize> {
     model.live().reduce(|kept, v| if height(v) > height(kept) { v } else { kept })
 }
 
-/// The first of the highest neighbours, if it is higher.
-fn step(model: &Model, v: usize, d: Place) -> Option<usize> {
-    let all = model.neighbours(v).into_iter();
-    let highest = all.reduce(|kept, u| if model.higher(d, u, kept) == Greater { u } else { kept })?;
-    (model.higher(d, highest, v) == Greater).then_some(highest)
-}
-
 /// A climb as task 6 asks for it.
 pub(super) fn climb(model: &Model, from: usize, d: Place) -> Vec<usize> {
-    std::iter::successors(Some(from), |&v| step(model, v, d)).collect()
+    std::iter::successors(Some(from), |&v| model.steepest(v, d)).collect()
 }
 
 /// Whether a climb by the first neighbour that is higher takes a step that is not the steepest one.
 pub(super) fn goes_to_first_higher(model: &Model, from: usize, d: Place) -> bool {
     let mut here = from;
-    while let Some(steepest) = step(model, here, d) {
+    while let Some(steepest) = model.steepest(here, d) {
         let first = model.neighbours(here).into_iter().find(|&u| model.higher(d, u, here) == Greater);
         let first = first.unwrap_or(steepest);
         if model.higher(d, steepest, first) == Greater {

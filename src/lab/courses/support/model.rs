@@ -147,6 +147,13 @@ impl Model {
         self.height(d, a).cmp(&self.height(d, b))
     }
 
+    /// The highest of the neighbours of a vertex in a direction, if it is higher than the vertex.
+    pub(super) fn steepest(&self, v: usize, d: Place) -> Option<usize> {
+        let all = self.neighbours(v).into_iter();
+        let highest = all.reduce(|best, u| if self.higher(d, u, best).is_gt() { u } else { best })?;
+        self.higher(d, highest, v).is_gt().then_some(highest)
+    }
+
     /// A vertex that none is higher than.
     pub(super) fn highest(&self, d: Place) -> Option<usize> {
         self.live().reduce(|best, v| if self.higher(d, v, best).is_gt() { v } else { best })

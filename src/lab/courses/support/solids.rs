@@ -5,9 +5,9 @@
 use super::model::{Model, Place};
 use crate::cases::handouts::GEM;
 use crate::cases::random::Random;
+use crate::cases::starts::words;
 use crate::protocol::{Cell, ColumnSchema, RecordSchema, Records, Start, Structure, TableSchema};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::sync::Arc;
 
 use ColumnSchema::{Link, Number};
@@ -61,10 +61,7 @@ impl Solid {
 
     /// With these vertices free. None of them has a triangle.
     pub(super) fn with_free(mut self, free: &[usize]) -> Self {
-        self.line.push_str(" /");
-        for v in free {
-            let _ = write!(self.line, " {v}");
-        }
+        self.line += &format!(" /{}", words(free));
         self.free = free.to_vec();
         self
     }
@@ -139,14 +136,7 @@ pub(super) fn nested(name: &'static str, seed: u64) -> Solid {
 
 /// Triangles as a student would type them.
 pub(super) fn soup(name: &'static str, points: &[Place], triangles: &[[usize; 3]]) -> Solid {
-    let mut line = "soup".to_owned();
-    for x in points.iter().flatten() {
-        let _ = write!(line, " {x}");
-    }
-    line.push_str(" /");
-    for v in triangles.iter().flatten() {
-        let _ = write!(line, " {v}");
-    }
+    let line = format!("soup{} /{}", words(points.iter().flatten()), words(triangles.iter().flatten()));
     Solid { name, line, points: points.to_vec(), triangles: triangles.to_vec(), free: Vec::new() }
 }
 

@@ -263,20 +263,14 @@ const MANY_EDITS: &[(&str, &str)] = &[
 
 /// A case whose structure is shown after each line.
 fn shown(name: &str, lines: &str) -> Option<Case> {
-    let mut case = Case::new(name, start(name.split('.').next()?)?.start.clone()).step(Step::Dump);
-    for line in lines.split(';') {
-        case = case.step(Step::of_line(line)).step(Step::Dump);
-    }
-    Some(case)
+    let case = Case::new(name, start(name.split('.').next()?)?.start.clone()).step(Step::Dump);
+    Some(case.calls(lines.split(';').map(Step::of_line), &[Step::Dump]))
 }
 
 /// Edits of a large mesh: numbers of half-edges past 65,536, and how many records are looked at.
 fn with_reads(name: &str, lines: [&str; 2]) -> Option<Case> {
-    let mut case = Case::new(name, start(name.split('.').next()?)?.start.clone());
-    for line in lines {
-        case = case.step(Step::of_line(line)).step(Step::Reads).step(Step::Changes);
-    }
-    Some(case)
+    let case = Case::new(name, start(name.split('.').next()?)?.start.clone());
+    Some(case.calls(lines.map(Step::of_line), &[Step::Reads, Step::Changes]))
 }
 
 /// Random edits that can be made, and triangles that have to be refused; `kinds` says how often each of add_vertex, add_face, remove_face and remove_vertex is made.
@@ -388,23 +382,21 @@ fn heights(function: &str, plan: &Plan) -> Vec<Asked> {
     let random = |seed: u64, _| {
         let mut random = Random::new(seed, function);
         let case = start("cube_4").map(|start| {
-            let mut case = Case::new(format!("cube_4.{function}_random"), start.start.clone()).step(Step::Dump);
-            for _ in 0..40 {
+            let case = Case::new(format!("cube_4.{function}_random"), start.start.clone()).step(Step::Dump);
+            let any = |_| {
                 let d = [0; 3].map(|_| random.below(7) as f64 - 3.0);
-                case = case.step(question(function, random.below(98), d));
-            }
-            case
+                question(function, random.below(98), d)
+            };
+            case.calls((0..40).map(any), &[])
         });
         Vec::from_iter(case)
     };
     let mut all = Asked::fixed_and_seeded(asked, plan, 1, random);
     if function != "support_by_scan" {
         let large = start("cube_45").map(|start| {
-            let mut case = Case::new(format!("cube_45.{function}"), start.start.clone());
-            for (from, d) in [(0, [3.0, 2.0, 1.0]), (11_000, [-5.0, 7.0, 1.0]), (6_543, [1.0, -3.0, 9.0])] {
-                case = case.step(question(function, from, d)).step(Step::Reads);
-            }
-            case
+            let case = Case::new(format!("cube_45.{function}"), start.start.clone());
+            let asked = [(0, [3.0, 2.0, 1.0]), (11_000, [-5.0, 7.0, 1.0]), (6_543, [1.0, -3.0, 9.0])];
+            case.calls(asked.map(|(from, d)| question(function, from, d)), &[Step::Reads])
         });
         all.extend(Asked::fixed(large));
     }

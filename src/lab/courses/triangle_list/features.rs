@@ -47,32 +47,32 @@ crate::features! {
 pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     if exchange.function == "from_cells" {
-        set.add(Word::Cells as u32, true);
+        set.add(Word::Cells, true);
         return Some(set.bits());
     }
     let before = exchange.before()?;
     let places = before.vertices.iter().flatten().filter_map(|row| row.position).flatten();
-    set.add(Word::Bits as u32, places.into_iter().any(|x| f64::from(x as f32).total_cmp(&x).is_ne()));
+    set.add(Word::Bits, places.into_iter().any(|x| f64::from(x as f32).total_cmp(&x).is_ne()));
     if exchange.function == "add_face" {
         let corners: Vec<u32> = exchange.words.iter().map(|word| word.parse().ok()).collect::<Option<_>>()?;
         let known = corners.iter().any(|&v| before.outgoing(VertexId::new(v)).is_some());
-        set.either(Word::Known as u32, Word::Unknown as u32, known);
-        set.add(Word::Later as u32, before.faces.len() > 1);
-        set.add(Word::Longer as u32, corners.len() > 3);
-        set.add(Word::Many as u32, corners.len() > 8);
+        set.either(Word::Known, Word::Unknown, known);
+        set.add(Word::Later, before.faces.len() > 1);
+        set.add(Word::Longer, corners.len() > 3);
+        set.add(Word::Many, corners.len() > 8);
         return Some(set.bits());
     }
     let soup = match exchange.function {
         "match_twins" | "close_border" => {
             let mixed = (0..before.half_edges.len() as u32).map(HalfEdgeId::new);
             set.add(
-                Word::Mixed as u32,
+                Word::Mixed,
                 mixed.zip(1..).any(|(h, after)| before.next(h).is_some_and(|next| next.number() > after)),
             );
             let soup = Soup::of_table(before)?;
-            set.add(Word::Numbered as u32, mistakes::numbered_differs(before, &soup));
-            set.add(Word::AnyWay as u32, mistakes::any_way_differs(before, &soup));
-            set.add(Word::InOrder as u32, mistakes::in_order_differs(before));
+            set.add(Word::Numbered, mistakes::numbered_differs(before, &soup));
+            set.add(Word::AnyWay, mistakes::any_way_differs(before, &soup));
+            set.add(Word::InOrder, mistakes::in_order_differs(before));
             soup
         }
         "check_faces" | "from_faces" => Soup::of_words(before.vertices.len(), exchange.words)?,
@@ -88,38 +88,38 @@ fn list(soup: &Soup, set: &mut FeatureSet) {
     let is_bad = |face: &Vec<u32>| !Soup { vertices: n, faces: vec![face.clone()] }.bad_faces().is_empty();
     let bad = soup.faces.iter().position(is_bad);
     let index = soup.faces.iter().flatten().any(|&v| v >= n);
-    set.add(Word::Index as u32, index);
-    set.add(Word::IndexNext as u32, soup.faces.iter().flatten().any(|&v| v == n));
-    set.add(Word::Short as u32, any(|face| face.len() < 3));
-    set.add(Word::TwoCorners as u32, any(|face| face.len() == 2));
-    set.add(Word::Twice as u32, any(|face| face.iter().collect::<BTreeSet<_>>().len() < face.len()));
-    set.add(Word::TwiceApart as u32, any(apart));
-    set.add(Word::BadLater as u32, bad.is_some_and(|f| f > 0));
-    set.add(Word::Bad as u32, bad.is_some());
+    set.add(Word::Index, index);
+    set.add(Word::IndexNext, soup.faces.iter().flatten().any(|&v| v == n));
+    set.add(Word::Short, any(|face| face.len() < 3));
+    set.add(Word::TwoCorners, any(|face| face.len() == 2));
+    set.add(Word::Twice, any(|face| face.iter().collect::<BTreeSet<_>>().len() < face.len()));
+    set.add(Word::TwiceApart, any(apart));
+    set.add(Word::BadLater, bad.is_some_and(|f| f > 0));
+    set.add(Word::Bad, bad.is_some());
     let without_corner = any(<[u32]>::is_empty);
     let only_check = index || without_corner || bad.is_some() && soup.edges_twice().is_empty();
-    set.add(Word::OnlyCheck as u32, only_check);
-    set.add(Word::Longer as u32, any(|face| face.len() > 3));
-    set.add(Word::Many as u32, any(|face| face.len() > 8));
-    set.add(Word::Empty as u32, soup.faces.is_empty());
-    set.add(Word::ManyFaces as u32, soup.faces.len() > 3);
-    set.add(Word::ManyVertices as u32, n > 255);
-    set.add(Word::PastByte as u32, soup.faces.iter().map(Vec::len).sum::<usize>() > 255);
+    set.add(Word::OnlyCheck, only_check);
+    set.add(Word::Longer, any(|face| face.len() > 3));
+    set.add(Word::Many, any(|face| face.len() > 8));
+    set.add(Word::Empty, soup.faces.is_empty());
+    set.add(Word::ManyFaces, soup.faces.len() > 3);
+    set.add(Word::ManyVertices, n > 255);
+    set.add(Word::PastByte, soup.faces.iter().map(Vec::len).sum::<usize>() > 255);
     let corners: BTreeSet<u32> = soup.faces.iter().flatten().copied().collect();
-    set.add(Word::Isolated as u32, (0..n).any(|v| !corners.contains(&v)));
+    set.add(Word::Isolated, (0..n).any(|v| !corners.contains(&v)));
     if bad.is_some() {
         return;
     }
     let (twice, border) = (!soup.edges_twice().is_empty(), soup.border());
     let pinched = !twice && !soup.pinched().is_empty();
-    set.add(Word::EdgeTwice as u32, twice);
-    set.add(Word::Pinched as u32, pinched);
-    set.add(Word::Right as u32, !twice && !pinched);
-    set.add(Word::Closed as u32, border.is_empty() && !soup.faces.is_empty());
-    set.add(Word::Border as u32, !border.is_empty());
-    set.add(Word::Inner as u32, border.len() < soup.faces.iter().map(Vec::len).sum());
+    set.add(Word::EdgeTwice, twice);
+    set.add(Word::Pinched, pinched);
+    set.add(Word::Right, !twice && !pinched);
+    set.add(Word::Closed, border.is_empty() && !soup.faces.is_empty());
+    set.add(Word::Border, !border.is_empty());
+    set.add(Word::Inner, border.len() < soup.faces.iter().map(Vec::len).sum());
     if !twice && !pinched {
-        set.add(Word::Borders as u32, border_cycles(soup) > 1);
+        set.add(Word::Borders, border_cycles(soup) > 1);
     }
 }
 

@@ -4,16 +4,13 @@
 //! shows are those that fail, the report says so.
 
 use super::soup::{Ends, Soup};
+use crate::checks::walks::half_edges;
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Table, View};
 use std::collections::BTreeMap;
 
 fn origin(table: &Table, h: HalfEdgeId) -> Option<u32> {
     Some(table.origin(h)?.number())
-}
-
-fn numbers(table: &Table) -> impl Iterator<Item = HalfEdgeId> + use<> {
-    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
 }
 
 /// The twins of half-edges with these ends, or the ends that come twice.
@@ -33,7 +30,7 @@ fn twins(ends: &[Ends]) -> Result<Vec<Option<usize>>, Ends> {
 
 /// The ends of each half-edge, if after each comes the one that is given.
 fn ends(table: &Table, after: &dyn Fn(HalfEdgeId) -> Option<HalfEdgeId>) -> Option<Vec<Ends>> {
-    numbers(table).map(|h| Some([origin(table, h)?, origin(table, after(h)?)?])).collect()
+    half_edges(table).map(|h| Some([origin(table, h)?, origin(table, after(h)?)?])).collect()
 }
 
 fn is_true([from, to]: Ends, soup: &Soup) -> bool {
@@ -68,7 +65,7 @@ pub(super) fn numbered_differs(table: &Table, soup: &Soup) -> bool {
 
 /// Whether the border is wrong if its half-edges are linked in the order of the numbers of their twins.
 pub(super) fn in_order_differs(table: &Table) -> bool {
-    let inside: Vec<HalfEdgeId> = numbers(table).filter(|&h| table.twin(h).is_none()).collect();
+    let inside: Vec<HalfEdgeId> = half_edges(table).filter(|&h| table.twin(h).is_none()).collect();
     let follows = |i: usize| {
         let (h, after) = (inside[i], inside[(i + 1) % inside.len()]);
         // The half-edge of the border that comes after the twin of h starts where h starts; its twin ends there.

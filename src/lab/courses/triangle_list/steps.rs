@@ -2,7 +2,9 @@
 
 use super::refused::{built, ended};
 use super::soup::{Ends, Soup};
-use crate::checks::faults::Faults;
+use crate::checks::align::half_edge_row;
+use crate::checks::faults::{Faults, named};
+use crate::checks::walks::half_edges;
 use crate::fault::{Exchange, Fault};
 use crate::protocol::{CallEnd, Value};
 use dcel_kit::topology::{HalfEdgeRow, Table, View};
@@ -13,20 +15,6 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) const ADD_FACE: [&str; 2] = ["add_face_records", "add_face_links"];
 /// The tests of `close_border`, where it builds.
 pub(super) const BORDER: [&str; 2] = ["close_border_half_edges", "close_border_links"];
-
-/// All half-edges of a table.
-pub(super) fn all(table: &Table) -> impl Iterator<Item = HalfEdgeId> + use<> {
-    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
-}
-
-fn row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
-    table.half_edges.get(h.index()).copied().flatten().unwrap_or_default()
-}
-
-/// A reference as it stands in a sentence.
-pub(super) fn named<T: std::fmt::Display>(to: Option<T>) -> String {
-    to.map_or_else(|| "not set".to_owned(), |to| to.to_string())
-}
 
 /// What stands in a link of `h` that is wrong, as the end of a rule: it tells mistakes of linking from each other.
 fn instead(found: Option<HalfEdgeId>, h: HalfEdgeId, back: Option<HalfEdgeId>) -> &'static str {
@@ -60,7 +48,7 @@ pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
     if values.as_slice() != [Value::Id(face.number())] {
         faults.wrong(records, "add_face.returned", &format!("the number of the new face is {}", face.number()), &[]);
     }
-    let new: Vec<HalfEdgeId> = all(after).skip(first).collect();
+    let new: Vec<HalfEdgeId> = half_edges(after).skip(first).collect();
     let mut at: BTreeMap<u32, HalfEdgeId> = BTreeMap::new();
     for &h in &new {
         let origin = after.origin(h).map(VertexId::number);
@@ -69,10 +57,7 @@ pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
                 format!("{h}.origin is {}: each corner is the origin of one new half-edge", named(after.origin(h)));
             ADD_FACE.iter().for_each(|test| faults.wrong(test, "add_face.origin", &words, &[h.into()]));
         }
-        if after.face(h) != Some(face) {
-            let words = format!("{h}.face is {}, expected {face}", named(after.face(h)));
-            faults.wrong(records, "add_face.face", &words, &[h.into()]);
-        }
+        faults.field(records, "add_face.face", (h, "face"), [after.face(h), Some(face)]);
         if let Some(twin) = after.twin(h) {
             faults.wrong(records, "add_face.twin", &format!("{h}.twin is {twin}, but twins come later"), &[h.into()]);
         }
@@ -82,31 +67,18 @@ pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
     }
     for ends in Soup::sides(&corners) {
         let [h, next] = ends.map(|v| at[&v]);
-        if after.next(h) != Some(next) {
-            let words = format!("{h}.next is {}, expected {next}", named(after.next(h)));
-            faults.wrong(
-                links,
-                &format!("add_face.next{}", instead(after.next(h), h, after.prev(h))),
-                &words,
-                &[h.into()],
-            );
-        }
-        if after.prev(next) != Some(h) {
-            let words = format!("{next}.prev is {}, expected {h}", named(after.prev(next)));
-            faults.wrong(
-                links,
-                &format!("add_face.prev{}", instead(after.prev(next), next, after.next(next))),
-                &words,
-                &[next.into()],
-            );
-        }
+        let (forth, back) = ([after.next(h), Some(next)], [after.prev(next), Some(h)]);
+        let rule = format!("add_face.next{}", instead(forth[0], h, after.prev(h)));
+        faults.field(links, &rule, (h, "next"), forth);
+        let rule = format!("add_face.prev{}", instead(back[0], next, after.next(next)));
+        faults.field(links, &rule, (next, "prev"), back);
     }
     if !after.half_edge(face).is_some_and(|h| new.contains(&h)) {
         let words = format!("{face} knows no half-edge of its own: it is {}", named(after.half_edge(face)));
         faults.wrong(records, "add_face.boundary", &words, &[face.into()]);
     }
     outgoing(records, after, &corners, &mut faults);
-    if let Some(h) = all(before).find(|&h| row(before, h) != row(after, h)) {
+    if let Some(h) = half_edges(before).find(|&h| half_edge_row(before, h) != half_edge_row(after, h)) {
         faults.wrong(records, "add_face.others", &format!("{h} of another face has changed"), &[h.into()]);
     }
     faults.all()
@@ -128,7 +100,7 @@ fn outgoing(test: &'static str, table: &Table, vertices: &[u32], faults: &mut Fa
 /// The half-edges of cycles by their ends.
 fn by_ends(table: &Table) -> BTreeMap<Ends, HalfEdgeId> {
     let ends = |h| Some([table.origin(h)?.number(), table.origin(table.next(h)?)?.number()]);
-    all(table).filter_map(|h| Some((ends(h)?, h))).collect()
+    half_edges(table).filter_map(|h| Some((ends(h)?, h))).collect()
 }
 
 /// What is wrong with a call of `match_twins`.
@@ -153,7 +125,7 @@ pub(super) fn match_twins(exchange: &Exchange, test: &'static str) -> Vec<Fault>
                 format!("{h} runs from v{a} to v{b}; its twin is {}, expected {}", named(after.twin(h)), named(twin));
             faults.wrong(test, "match_twins.twin", &words, &[h.into()]);
         }
-        if (HalfEdgeRow { twin: None, ..row(after, h) }) != row(before, h) {
+        if (HalfEdgeRow { twin: None, ..half_edge_row(after, h) }) != half_edge_row(before, h) {
             faults.wrong(test, "match_twins.others", &format!("{h} has changed not only its twin"), &[h.into()]);
         }
     }
@@ -195,10 +167,7 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
             continue;
         };
         of.insert([a, b], h);
-        if after.twin(h) != Some(inner) {
-            let words = format!("{h}.twin is {}, expected {inner}", named(after.twin(h)));
-            faults.wrong(test, "close_border.back", &words, &[h.into()]);
-        }
+        faults.field(test, "close_border.back", (h, "twin"), [after.twin(h), Some(inner)]);
         if after.origin(h).map(VertexId::number) != Some(a) {
             let words = format!("{h}.origin is {}, expected v{a}, where its twin ends", named(after.origin(h)));
             faults.wrong(test, "close_border.origin", &words, &[h.into()]);
@@ -210,8 +179,8 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
     }
     let corners: BTreeSet<u32> = soup.faces.iter().flatten().copied().collect();
     outgoing(test, after, &corners.into_iter().collect::<Vec<_>>(), &mut faults);
-    for h in all(before).filter(|&h| before.twin(h).is_some()) {
-        if row(after, h) != row(before, h) {
+    for h in half_edges(before).filter(|&h| before.twin(h).is_some()) {
+        if half_edge_row(after, h) != half_edge_row(before, h) {
             let links = |table: &Table| [("next", table.next(h)), ("prev", table.prev(h)), ("twin", table.twin(h))];
             let changed = links(before).into_iter().zip(links(after)).find(|(was, is)| was != is);
             let how = changed.map_or_else(String::new, |((name, was), (_, is))| {
@@ -232,15 +201,8 @@ fn cycles(test: &'static str, after: &Table, soup: &Soup, of: &BTreeMap<Ends, Ha
     let right = soup.half_edges();
     for (ends, &h) in of {
         let right = right[ends];
-        let (next, prev) = (of.get(&right.next).copied(), of.get(&right.prev).copied());
-        if after.next(h) != next {
-            let words = format!("{h}.next is {}, expected {}", named(after.next(h)), named(next));
-            faults.wrong(test, "close_border.next", &words, &[h.into()]);
-        }
-        if after.prev(h) != prev {
-            let words = format!("{h}.prev is {}, expected {}", named(after.prev(h)), named(prev));
-            faults.wrong(test, "close_border.prev", &words, &[h.into()]);
-        }
+        faults.field(test, "close_border.next", (h, "next"), [after.next(h), of.get(&right.next).copied()]);
+        faults.field(test, "close_border.prev", (h, "prev"), [after.prev(h), of.get(&right.prev).copied()]);
     }
     let known = after.outer_face.and_then(|f| after.half_edge(f));
     let right = if of.is_empty() { known.is_none() } else { known.is_some_and(|h| of.values().any(|&b| b == h)) };

@@ -5,6 +5,7 @@ use super::lists::{self, Named};
 use super::soup::Soup;
 use super::steps::{ADD_FACE, BORDER};
 use super::{drawing, features, steps, whole};
+use crate::cases::handouts::LIST_POINTS;
 use crate::cases::random::Random;
 use crate::cases::starts;
 use crate::fault::{Exchange, Fault, exchanges};
@@ -74,7 +75,7 @@ impl Judge for TriangleList {
         let mut large = Case::new("from_faces.large", Start::line(format!("vertices {vertices}")));
         large.steps.extend(whole::large_steps());
         suites.push(Suite::of(&["from_faces_large"], Asked::fixed([large])));
-        let picture = Case::new("picture", Start::line(format!("points{}", starts::points(&drawing::POINTS))));
+        let picture = Case::new("picture", Start::line(format!("points{}", starts::points(&LIST_POINTS))));
         let picture = picture.step(Step::call("from_faces", drawing::soup().words())).step(Step::Svg);
         suites.push(Suite::of(&["structure_svg"], Asked::fixed([picture])));
         suites

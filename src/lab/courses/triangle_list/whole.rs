@@ -2,8 +2,8 @@
 
 use super::refused::{built, ended};
 use super::soup::{Ends, Soup};
-use super::steps::{all, named};
-use crate::checks::faults::Faults;
+use crate::checks::faults::{Faults, named};
+use crate::checks::walks::half_edges;
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step, Value, grouped};
 use dcel_kit::topology::{Table, View};
@@ -56,7 +56,7 @@ fn compare(test: &'static str, before: &Table, soup: &Soup, after: &Table, fault
         Some([after.origin(h)?.number(), after.origin(twin)?.number()])
     };
     let mut of: BTreeMap<Ends, HalfEdgeId> = BTreeMap::new();
-    for h in all(after) {
+    for h in half_edges(after) {
         if !ends_of(h).is_some_and(|ends| right.contains_key(&ends) && of.insert(ends, h).is_none()) {
             let words = format!(
                 "{h}, from {} with the twin {}, is none of the list",
@@ -68,16 +68,9 @@ fn compare(test: &'static str, before: &Table, soup: &Soup, after: &Table, fault
     }
     for (ends, &h) in &of {
         let right = right[ends];
-        for (name, found, expected) in [("next", after.next(h), right.next), ("prev", after.prev(h), right.prev)] {
-            if found != Some(of[&expected]) {
-                let words = format!("{h}.{name} is {}, expected {}", named(found), of[&expected]);
-                faults.wrong(test, &format!("from_faces.{name}"), &words, &[h.into()]);
-            }
-        }
-        if after.face(h) != Some(FaceId::new(right.face)) {
-            let words = format!("{h}.face is {}, expected f{}", named(after.face(h)), right.face);
-            faults.wrong(test, "from_faces.face", &words, &[h.into()]);
-        }
+        faults.field(test, "from_faces.next", (h, "next"), [after.next(h), Some(of[&right.next])]);
+        faults.field(test, "from_faces.prev", (h, "prev"), [after.prev(h), Some(of[&right.prev])]);
+        faults.field(test, "from_faces.face", (h, "face"), [after.face(h), Some(FaceId::new(right.face))]);
     }
     for f in (0..after.faces.len() as u32).map(FaceId::new) {
         let known = after.half_edge(f);

@@ -78,44 +78,43 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     let n = corners.len();
     set.more(VOCABULARY, "corners_N", n);
-    let mut add = |word: Word, holds: bool| set.add(word as u32, holds);
-    add(Word::Numbers255, records.len(0) > 256);
-    add(Word::NotZero, first != 0);
-    add(Word::Several, records.len(0) > n);
-    add(Word::NotRising, corners.windows(2).any(|pair| pair[1] != pair[0] + 1));
-    add(Word::Later, !earlier.is_empty());
+    set.add(Word::Numbers255, records.len(0) > 256);
+    set.add(Word::NotZero, first != 0);
+    set.add(Word::Several, records.len(0) > n);
+    set.add(Word::NotRising, corners.windows(2).any(|pair| pair[1] != pair[0] + 1));
+    set.add(Word::Later, !earlier.is_empty());
     match (exchange.function, arguments) {
-        ("split", &[u, v]) => add_split(&mut add, records, u, v),
+        ("split", &[u, v]) => add_split(&mut set, records, u, v),
         ("is_diagonal", &[u, v]) => {
             let place = corners.iter().position(|&corner| corner == v)?;
             let (polygon, from) = (places(records, u)?, 0);
-            add_diagonal(&mut add, &polygon, from, place);
+            add_diagonal(&mut set, &polygon, from, place);
         }
-        ("is_ear", _) => add_ear(&mut add, &places(records, first)?),
-        ("triangulate", _) => add_polygon(&mut add, &places(records, first)?),
+        ("is_ear", _) => add_ear(&mut set, &places(records, first)?),
+        ("triangulate", _) => add_polygon(&mut set, &places(records, first)?),
         _ => {}
     }
     Some(set.bits())
 }
 
-fn add_split(add: &mut impl FnMut(Word, bool), records: &Records, u: u32, v: u32) {
+fn add_split(set: &mut FeatureSet, records: &Records, u: u32, v: u32) {
     let to = |corner| next(records, corner);
     let refused = u == v || to(u) == Some(v) || to(v) == Some(u);
-    add(Word::Same, u == v);
-    add(Word::Next, to(u) == Some(v));
-    add(Word::Prev, to(v) == Some(u));
-    add(Word::Neighbours, u != v && refused);
-    add(Word::Refused, refused);
-    add(Word::Cut, !refused);
-    add(Word::CutSeen, !refused && place(records, u) != place(records, v));
-    add(Word::Ear, !refused && to(u).and_then(to) == Some(v));
-    add(Word::OtherEar, !refused && to(v).and_then(to) == Some(u));
-    add(Word::Longer, !refused && to(u).and_then(to) != Some(v));
-    add(Word::UGreater, u > v);
-    add(Word::VGreater, v > u);
+    set.add(Word::Same, u == v);
+    set.add(Word::Next, to(u) == Some(v));
+    set.add(Word::Prev, to(v) == Some(u));
+    set.add(Word::Neighbours, u != v && refused);
+    set.add(Word::Refused, refused);
+    set.add(Word::Cut, !refused);
+    set.add(Word::CutSeen, !refused && place(records, u) != place(records, v));
+    set.add(Word::Ear, !refused && to(u).and_then(to) == Some(v));
+    set.add(Word::OtherEar, !refused && to(v).and_then(to) == Some(u));
+    set.add(Word::Longer, !refused && to(u).and_then(to) != Some(v));
+    set.add(Word::UGreater, u > v);
+    set.add(Word::VGreater, v > u);
     let mut all = records.rows(0).map(|row| [row[0].number(), row[1].number()]);
     let place = all.next();
-    add(Word::Blind, all.all(|other| Some(other) == place));
+    set.add(Word::Blind, all.all(|other| Some(other) == place));
 }
 
 fn at(polygon: &[[f64; 2]], i: usize) -> i32 {
@@ -123,7 +122,7 @@ fn at(polygon: &[[f64; 2]], i: usize) -> i32 {
     turn(polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n])
 }
 
-fn add_diagonal(add: &mut impl FnMut(Word, bool), polygon: &[[f64; 2]], u: usize, v: usize) {
+fn add_diagonal(set: &mut FeatureSet, polygon: &[[f64; 2]], u: usize, v: usize) {
     let kind = diagonal(polygon, u, v);
     let back = diagonal(polygon, v, u);
     let either = |one| kind == one || back == one;
@@ -135,58 +134,58 @@ fn add_diagonal(add: &mut impl FnMut(Word, bool), polygon: &[[f64; 2]], u: usize
         turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
     });
     let touched = others.clone().any(|k| super::geometry::on_segment(polygon[k], a, b));
-    add(Word::Yes, kind == Diagonal::Yes);
-    add(Word::No, kind != Diagonal::Yes);
-    add(Word::Same, kind == Diagonal::Same);
-    add(Word::Side, kind == Diagonal::Side);
+    set.add(Word::Yes, kind == Diagonal::Yes);
+    set.add(Word::No, kind != Diagonal::Yes);
+    set.add(Word::Same, kind == Diagonal::Same);
+    set.add(Word::Side, kind == Diagonal::Side);
     let line = !matches!(kind, Diagonal::Side | Diagonal::Same);
-    add(Word::Outside, kind == Diagonal::Outside);
-    add(Word::Touches, line && touched);
-    add(Word::TouchesOnly, line && either(Diagonal::Touches) && !crossed);
-    add(Word::Crosses, kind == Diagonal::Crosses);
-    add(Word::CrossesOrTouches, matches!(kind, Diagonal::Crosses | Diagonal::Touches));
-    add(Word::AllOutside, line && kind == Diagonal::Outside && !crossed && !touched);
-    add(Word::ReflexU, at(polygon, u) < 0);
-    add(Word::ConvexU, at(polygon, u) >= 0);
-    add(Word::ReflexV, at(polygon, v) < 0);
-    add(Word::StraightU, at(polygon, u) == 0);
-    add(Word::YesReflexU, kind == Diagonal::Yes && at(polygon, u) < 0);
+    set.add(Word::Outside, kind == Diagonal::Outside);
+    set.add(Word::Touches, line && touched);
+    set.add(Word::TouchesOnly, line && either(Diagonal::Touches) && !crossed);
+    set.add(Word::Crosses, kind == Diagonal::Crosses);
+    set.add(Word::CrossesOrTouches, matches!(kind, Diagonal::Crosses | Diagonal::Touches));
+    set.add(Word::AllOutside, line && kind == Diagonal::Outside && !crossed && !touched);
+    set.add(Word::ReflexU, at(polygon, u) < 0);
+    set.add(Word::ConvexU, at(polygon, u) >= 0);
+    set.add(Word::ReflexV, at(polygon, v) < 0);
+    set.add(Word::StraightU, at(polygon, u) == 0);
+    set.add(Word::YesReflexU, kind == Diagonal::Yes && at(polygon, u) < 0);
     let (one, other) = (turn(a, polygon[(u + 1) % n], b), turn(polygon[(u + n - 1) % n], a, b));
-    add(Word::YesBehind, kind == Diagonal::Yes && !(one > 0 && other > 0));
+    set.add(Word::YesBehind, kind == Diagonal::Yes && !(one > 0 && other > 0));
     let free = line && !crossed && !touched && (one > 0 || other > 0);
-    add(Word::OutsideFree, kind == Diagonal::Outside && free);
-    add(Word::Fraction, polygon.iter().flatten().any(|x| x.fract() != 0.0));
+    set.add(Word::OutsideFree, kind == Diagonal::Outside && free);
+    set.add(Word::Fraction, polygon.iter().flatten().any(|x| x.fract() != 0.0));
 }
 
-fn add_ear(add: &mut impl FnMut(Word, bool), polygon: &[[f64; 2]]) {
+fn add_ear(set: &mut FeatureSet, polygon: &[[f64; 2]]) {
     let n = polygon.len();
     let (kind, angle) = (ear(polygon, 0), at(polygon, 0));
     let [a, b, c] = [polygon[n - 1], polygon[0], polygon[1]];
     let inside = |p: &[f64; 2]| turn(a, b, *p) > 0 && turn(b, c, *p) > 0 && turn(c, a, *p) > 0;
     let on_cut = |p: &[f64; 2]| super::geometry::on_segment(*p, a, c);
     let others = &polygon[2..n - 1];
-    add(Word::Reflex, angle < 0);
-    add(Word::Straight, angle == 0);
-    add(Word::ReflexOrStraight, angle <= 0);
-    add(Word::Convex, angle > 0);
-    add(Word::ConvexNoEar, angle > 0 && kind != Diagonal::Yes);
-    add(Word::IsEar, kind == Diagonal::Yes);
-    add(Word::NoEar, kind != Diagonal::Yes);
-    add(Word::NextDiffers, (kind == Diagonal::Yes) != (ear(polygon, 1) == Diagonal::Yes));
-    add(Word::InTriangle, angle > 0 && others.iter().any(inside));
-    add(Word::OnCut, angle > 0 && others.iter().any(on_cut) && !others.iter().any(inside));
-    add(Word::Fraction, polygon.iter().flatten().any(|x| x.fract() != 0.0));
+    set.add(Word::Reflex, angle < 0);
+    set.add(Word::Straight, angle == 0);
+    set.add(Word::ReflexOrStraight, angle <= 0);
+    set.add(Word::Convex, angle > 0);
+    set.add(Word::ConvexNoEar, angle > 0 && kind != Diagonal::Yes);
+    set.add(Word::IsEar, kind == Diagonal::Yes);
+    set.add(Word::NoEar, kind != Diagonal::Yes);
+    set.add(Word::NextDiffers, (kind == Diagonal::Yes) != (ear(polygon, 1) == Diagonal::Yes));
+    set.add(Word::InTriangle, angle > 0 && others.iter().any(inside));
+    set.add(Word::OnCut, angle > 0 && others.iter().any(on_cut) && !others.iter().any(inside));
+    set.add(Word::Fraction, polygon.iter().flatten().any(|x| x.fract() != 0.0));
 }
 
-fn add_polygon(add: &mut impl FnMut(Word, bool), polygon: &[[f64; 2]]) {
+fn add_polygon(set: &mut FeatureSet, polygon: &[[f64; 2]]) {
     let n = polygon.len();
-    add(Word::HasStraight, (0..n).any(|i| at(polygon, i) == 0));
-    add(Word::HasReflex, (0..n).any(|i| at(polygon, i) < 0));
-    add(Word::FirstNoEar, n > 3 && ear(polygon, 0) != Diagonal::Yes);
-    add(Word::SecondNoEar, n > 3 && ear(polygon, 1) != Diagonal::Yes);
-    add(Word::SecondRound, !one_round(polygon));
-    add(Word::TakesNonEar, n > 3 && (0..n).any(|i| at(polygon, i) > 0 && ear(polygon, i) != Diagonal::Yes));
-    add(Word::Fraction, polygon.iter().flatten().any(|x| x.fract() != 0.0));
+    set.add(Word::HasStraight, (0..n).any(|i| at(polygon, i) == 0));
+    set.add(Word::HasReflex, (0..n).any(|i| at(polygon, i) < 0));
+    set.add(Word::FirstNoEar, n > 3 && ear(polygon, 0) != Diagonal::Yes);
+    set.add(Word::SecondNoEar, n > 3 && ear(polygon, 1) != Diagonal::Yes);
+    set.add(Word::SecondRound, !one_round(polygon));
+    set.add(Word::TakesNonEar, n > 3 && (0..n).any(|i| at(polygon, i) > 0 && ear(polygon, i) != Diagonal::Yes));
+    set.add(Word::Fraction, polygon.iter().flatten().any(|x| x.fract() != 0.0));
 }
 
 /// Whether going round a polygon once, and cutting off each corner that is an ear, leaves one triangle.

@@ -1,51 +1,30 @@
 //! Polygons as the records that the student's program prints: corners with a place, a next and a prev.
 
-use crate::protocol::{Cell, ColumnSchema, RecordSchema, Records, Start, Structure, TableSchema};
+use crate::cases::corners::{self, NEXT, PREV};
+use crate::protocol::{RecordSchema, Records, Start, Structure};
 use std::sync::Arc;
 
 /// What the records look like.
-pub(super) static SCHEMA: RecordSchema = RecordSchema {
-    singles: &[],
-    tables: &[TableSchema {
-        word: "corner",
-        letter: 'c',
-        columns: &[
-            ColumnSchema::Number("x"),
-            ColumnSchema::Number("y"),
-            ColumnSchema::Link("next", 'c'),
-            ColumnSchema::Link("prev", 'c'),
-        ],
-    }],
-};
+pub(super) static SCHEMA: RecordSchema = RecordSchema { singles: &[], tables: &[corners::CORNERS] };
 
 /// Where a corner is; `None` if there is no such corner.
 pub(super) fn place(records: &Records, corner: u32) -> Option<[f64; 2]> {
-    let row = records.row(0, corner as usize)?;
-    Some([row[0].number()?, row[1].number()?])
+    corners::place(records.row(0, corner as usize)?)
 }
 
 /// The corner after a corner.
 pub(super) fn next(records: &Records, corner: u32) -> Option<u32> {
-    records.row(0, corner as usize)?[2].to()
+    records.row(0, corner as usize)?[NEXT].to()
 }
 
 /// The corner before a corner.
 pub(super) fn prev(records: &Records, corner: u32) -> Option<u32> {
-    records.row(0, corner as usize)?[3].to()
+    records.row(0, corner as usize)?[PREV].to()
 }
 
 /// The corners from one along next until it comes again; `None` if it does not, or a link is not set.
 pub(super) fn cycle(records: &Records, first: u32) -> Option<Vec<u32>> {
-    let mut corners = vec![first];
-    let mut at = next(records, first)?;
-    while at != first {
-        if corners.len() > records.len(0) {
-            return None;
-        }
-        corners.push(at);
-        at = next(records, at)?;
-    }
-    Some(corners)
+    corners::cycle(records, 0, first)
 }
 
 /// The places of the corners of a polygon.
@@ -56,15 +35,7 @@ pub(super) fn places(records: &Records, first: u32) -> Option<Vec<[f64; 2]>> {
 /// Polygons by their places, one after the other in the list of corners.
 pub(super) fn of_places(polygons: &[Vec<[f64; 2]>]) -> Records {
     let mut records = Records::new(&SCHEMA);
-    let mut first = 0;
-    for polygon in polygons {
-        let count = polygon.len() as u32;
-        for (i, &[x, y]) in (0..).zip(polygon) {
-            let [next, prev] = [(i + 1) % count, (i + count - 1) % count].map(|c| Cell::Link(Some(first + c)));
-            records.push(0, &[Cell::Number(x), Cell::Number(y), next, prev]);
-        }
-        first += count;
-    }
+    polygons.iter().for_each(|polygon| corners::push(&mut records, 0, polygon));
     records
 }
 

@@ -7,8 +7,8 @@
 //! ```
 
 use crate::cases::random::Random;
+use crate::cases::starts::{shorter, words};
 use std::f64::consts::TAU;
-use std::fmt::Write;
 
 /// The polygon of the handout, which has one triangulation only.
 pub const DRAWING: [[f64; 2]; 17] = [
@@ -33,11 +33,7 @@ pub const DRAWING: [[f64; 2]; 17] = [
 
 /// A polygon as it is typed.
 pub(super) fn line(polygon: &[[f64; 2]]) -> String {
-    polygon.iter().flatten().fold("polygon".to_owned(), |mut out, x| {
-        let (plain, powers) = (x.to_string(), format!("{x:e}"));
-        let _ = write!(out, " {}", if powers.len() < plain.len() { powers } else { plain });
-        out
-    })
+    format!("polygon{}", words(polygon.iter().flatten().map(|&x| shorter(x))))
 }
 
 /// Small polygons with whole coordinates, the simplest first.

@@ -233,17 +233,14 @@ fn mixed() -> Start {
 }
 
 fn corner_cases() -> Vec<Case> {
+    let call = |c: usize| Step::call("corners_of", [format!("c{c}")]);
     let mut cases = Vec::new();
     for (name, polygon) in
         small().into_iter().filter(|(name, _)| ["square", "arrow", "pentagon", "comb"].contains(name))
     {
-        let mut case = shown(format!("corners_of.{name}"), start(&polygon));
-        case.steps.extend((0..polygon.len()).map(|c| Step::call("corners_of", [format!("c{c}")])));
-        cases.push(case);
+        cases.push(shown(format!("corners_of.{name}"), start(&polygon)).calls((0..polygon.len()).map(call), &[]));
     }
-    let mut case = shown("corners_of.two".to_owned(), mixed());
-    case.steps.extend((0..7).map(|c| Step::call("corners_of", [format!("c{c}")])));
-    cases.push(case);
+    cases.push(shown("corners_of.two".to_owned(), mixed()).calls((0..7).map(call), &[]));
     cases.push(shown("corners_of.convex".to_owned(), convex(300)).step(Step::call("corners_of", ["c256"])));
     cases
 }
@@ -268,27 +265,20 @@ fn split_cases() -> Vec<Case> {
         [("four", regular(4)), ("five", regular(5)), ("six", regular(6)), ("blind", blind(5)), ("seven", regular(7))]
     {
         let n = polygon.len();
-        let mut case = shown(format!("split.all.{name}"), start(&polygon)).step(Step::Save);
+        let case = shown(format!("split.all.{name}"), start(&polygon));
         let mut pairs: Vec<(usize, usize)> = (0..n * n).map(|k| (k / n, k % n)).collect();
         // Those to be refused first: as long as nothing changes, it is printed once.
         pairs.sort_by_key(|&(u, v)| !(u == v || (u + 1) % n == v || (v + 1) % n == u));
-        for (u, v) in pairs {
-            let call = Step::call("split", [format!("c{u}"), format!("c{v}")]);
-            case.steps.extend([call, Step::Dump, Step::Restore]);
-        }
-        cases.push(case);
+        let call = |(u, v)| Step::call("split", [format!("c{u}"), format!("c{v}")]);
+        cases.push(case.each_alone(pairs.into_iter().map(call)));
     }
-    let two = shown("split.two".to_owned(), mixed()).step(Step::Save);
-    let pairs = ["c3 c0", "c0 c3", "c5 c6", "c6 c5", "c2 c4"];
-    cases.push(pairs.iter().fold(two, |case, pair| {
-        case.step(Step::of_line(&format!("split {pair}"))).step(Step::Dump).step(Step::Restore)
-    }));
+    let pairs = ["c3 c0", "c0 c3", "c5 c6", "c6 c5", "c2 c4"].map(|pair| Step::of_line(&format!("split {pair}")));
+    cases.push(shown("split.two".to_owned(), mixed()).each_alone(pairs));
     let convex_300 = shown("split.convex".to_owned(), convex(300));
     cases.push(convex_300.step(Step::of_line("split c299 c256")).step(Step::Dump));
     let large = shown("split.large".to_owned(), convex(100_000));
-    cases.push(["c65537 c90000", "c100 c50000"].iter().fold(large, |case, pair| {
-        case.step(Step::of_line(&format!("split {pair}"))).step(Step::Reads).step(Step::Changes)
-    }));
+    let far = ["split c65537 c90000", "split c100 c50000"].map(Step::of_line);
+    cases.push(large.calls(far, &[Step::Reads, Step::Changes]));
     cases
 }
 
@@ -316,13 +306,12 @@ fn reading_cases(word: &str) -> Vec<Case> {
 
 fn all_calls(word: &str, name: &str, polygon: &[[f64; 2]]) -> Case {
     let n = polygon.len();
-    let mut case = shown(format!("{word}.{name}"), start(polygon));
+    let case = shown(format!("{word}.{name}"), start(polygon));
     let corner = |c: usize| format!("c{c}");
     match word {
-        "is_ear" => case.steps.extend((0..n).map(|c| Step::call(word, [corner(c)]))),
-        _ => case.steps.extend((0..n * n).map(|k| Step::call(word, [corner(k / n), corner(k % n)]))),
+        "is_ear" => case.calls((0..n).map(|c| Step::call(word, [corner(c)])), &[]),
+        _ => case.calls((0..n * n).map(|k| Step::call(word, [corner(k / n), corner(k % n)])), &[]),
     }
-    case
 }
 
 fn soup_cases() -> Vec<Case> {

@@ -6,14 +6,13 @@
 //! ```
 
 use crate::cases::large;
-use crate::many::Large;
-use crate::protocol::{Case, Start, Step, Structure};
+use crate::many::{self, Large};
+use crate::protocol::{Case, Start, Structure};
 use std::sync::{Arc, OnceLock};
 
 /// The cells in a row, and the rows.
 const SIDE: usize = 150;
-/// How many questions are asked, and how many reads they have together. The solution needs 695,346.
-const QUESTIONS: usize = 10_000;
+/// How many reads the many questions have together. The solution needs 695,346.
 const BUDGET: u64 = 3_000_000;
 
 /// What the questions should give: six corners, on the border fewer.
@@ -33,15 +32,20 @@ fn lattice() -> Start {
 
 /// Questions about single sites, inside, on the border and at corners, then about many.
 pub(super) fn questions() -> Case {
-    let mut case = Case::new("cell_large.lattice", lattice()).step(Step::Changes);
-    case.steps.extend([22_800, 22_725, 16_400, 300, 150, 0].map(|v| Step::call("cell", [format!("v{v}")])));
-    case.step(Step::Many { function: "cell".to_owned(), count: QUESTIONS, budget: BUDGET })
+    many::questions(
+        "cell_large.lattice",
+        lattice(),
+        "cell",
+        ["v22800", "v22725", "v16400", "v300", "v150", "v0"],
+        BUDGET,
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::checks::walks::star;
+    use crate::many::QUESTIONS;
     use dcel_kit::VertexId;
 
     #[test]

@@ -2,11 +2,12 @@
 
 use super::centres;
 use crate::answers::Wrong;
+use crate::checks::duals;
 use crate::checks::walks::{cycle, half_edges, place};
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{Table, View};
-use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::{FaceId, VertexId};
 
 /// The dual that a call gave back.
 fn returned(values: &[Value]) -> Option<&Table> {
@@ -14,64 +15,19 @@ fn returned(values: &[Value]) -> Option<&Table> {
     found.half_edges().map(AsRef::as_ref)
 }
 
-fn named(letter: char, number: Option<u32>) -> String {
-    number.map_or("not set".to_owned(), |number| format!("{letter}{number}"))
-}
-
 /// What is wrong with a dual, places aside.
 fn links(table: &Table, dual: &Table) -> Option<Wrong> {
-    let counts = [
-        ("vertices", dual.vertices.len(), table.faces.len(), "one for each face"),
-        ("half-edges", dual.half_edges.len(), table.half_edges.len(), "one for each half-edge"),
-        ("faces", dual.faces.len(), table.vertices.len(), "one for each vertex"),
-    ];
-    for (name, own, expected, why) in counts {
-        if own != expected {
-            return Some(Wrong::because(name, format!("it has {own} {name}, expected {expected}: {why}")));
-        }
-    }
-    let number = HalfEdgeId::number;
-    for h in half_edges(table) {
-        let twin = table.twin(h);
-        let vertex = table.origin(h).map(VertexId::number);
-        let checks = [
-            (
-                "origin",
-                'v',
-                dual.origin(h).map(VertexId::number),
-                twin.and_then(|twin| table.face(twin)).map(FaceId::number),
-            ),
-            ("twin", 'h', dual.twin(h).map(number), twin.map(number)),
-            ("face", 'f', dual.face(h).map(FaceId::number), vertex),
-            // Round a vertex, half-edge after half-edge.
-            ("next", 'h', dual.next(h).map(number), table.prev(h).and_then(|prev| table.twin(prev)).map(number)),
-            ("prev", 'h', dual.prev(h).map(number), twin.and_then(|twin| table.next(twin)).map(number)),
-        ];
-        for (field, letter, own, expected) in checks {
-            if own != expected {
-                let (own, expected) = (named(letter, own), named(letter, expected));
-                let because = format!("the {field} of its h{} is {own}, expected {expected}", h.number());
-                return Some(Wrong::because(field, because));
-            }
-        }
-    }
-    for (v, row) in (0..).zip(&dual.vertices) {
-        let own = row.as_ref().and_then(|row| row.outgoing);
-        if own.and_then(|h| dual.origin(h)) != Some(VertexId::new(v)) {
-            let own = named('h', own.map(number));
-            let because = format!("the outgoing half-edge of its v{v} is {own}, which does not start there");
-            return Some(Wrong::because("outgoing", because));
-        }
-    }
-    for (f, row) in (0..).zip(&dual.faces) {
-        let own = row.as_ref().and_then(|row| row.half_edge);
-        if own.and_then(|h| dual.face(h)) != Some(FaceId::new(f)) {
-            let own = named('h', own.map(number));
-            let because = format!("the incident half-edge of its f{f} is {own}, which has another face");
-            return Some(Wrong::because("boundary", because));
-        }
-    }
-    None
+    let half_edge = |h| {
+        // Round a vertex, half-edge after half-edge.
+        let next = table.prev(h).and_then(|prev| table.twin(prev));
+        let prev = table.twin(h).and_then(|twin| table.next(twin));
+        duals::crossing(table, dual, h)
+            .or_else(|| duals::field("next", h, dual.next(h), next))
+            .or_else(|| duals::field("prev", h, dual.prev(h), prev))
+    };
+    duals::counts(table, dual)
+        .or_else(|| half_edges(table).find_map(half_edge))
+        .or_else(|| duals::representatives("its ", dual))
 }
 
 pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {

@@ -52,7 +52,7 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
         _ => of_table(exchange.before()?, &mut set),
     }
     let is_other = |table: &Arc<Table>| table.outer_face.is_some_and(|f| f.number() != 0);
-    set.add(Word::OuterNot0 as u32, exchange.function != "circle_centre" && exchange.before().is_some_and(is_other));
+    set.add(Word::OuterNot0, exchange.function != "circle_centre" && exchange.before().is_some_and(is_other));
     Some(set.bits())
 }
 
@@ -60,50 +60,50 @@ fn of_points(exchange: &Exchange, set: &mut FeatureSet) -> Option<()> {
     let [a, b, c] = centres::asked(exchange)?;
     let turn = orientation(Point::from(a), Point::from(b), Point::from(c));
     let plain = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    set.either(Word::OneLine as u32, Word::NotOneLine as u32, turn.is_eq());
-    set.add(Word::DoublesMiss as u32, (plain.abs() <= 0.0) != turn.is_eq());
-    set.add(Word::Far as u32, centres::is_lost_from_the_origin([a, b, c]));
-    set.add(Word::Clockwise as u32, turn.is_lt());
-    set.add(Word::LookedAt as u32, centres::is_looked_at([a, b, c]));
-    set.add(Word::NotAtZero as u32, centres::moves_with_a([a, b, c]));
+    set.either(Word::OneLine, Word::NotOneLine, turn.is_eq());
+    set.add(Word::DoublesMiss, (plain.abs() <= 0.0) != turn.is_eq());
+    set.add(Word::Far, centres::is_lost_from_the_origin([a, b, c]));
+    set.add(Word::Clockwise, turn.is_lt());
+    set.add(Word::LookedAt, centres::is_looked_at([a, b, c]));
+    set.add(Word::NotAtZero, centres::moves_with_a([a, b, c]));
     Some(())
 }
 
 fn of_ray(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     let ray = cells::ray(table, h);
-    set.either(Word::OuterFace as u32, Word::Inside as u32, ray.is_some());
+    set.either(Word::OuterFace, Word::Inside, ray.is_some());
     let beyond = ray.is_some_and(|([x, y], _, [dx, dy])| {
         let begin = table.origin(h).and_then(|v| place(table, v)).unwrap_or_default();
         let (along, size) = ((x - begin[0]) * dx + (y - begin[1]) * dy, (x - begin[0]).hypot(y - begin[1]));
         along > -1e-9 * size * dx.hypot(dy)
     });
     let other = table.twin(h).and_then(|twin| table.face(twin));
-    set.add(Word::BothInside as u32, ray.is_none() && other != table.outer_face);
-    set.add(Word::CentreBeyond as u32, beyond);
+    set.add(Word::BothInside, ray.is_none() && other != table.outer_face);
+    set.add(Word::CentreBeyond, beyond);
 }
 
 fn of_cell(table: &Table, v: VertexId, set: &mut FeatureSet) -> Option<()> {
     let (corners, open) = cells::cell(table, v)?;
-    set.either(Word::Border as u32, Word::NotBorder as u32, open);
-    set.either(Word::OneTriangle as u32, Word::SeveralTriangles as u32, corners.len() < 2);
-    set.add(Word::Degree8 as u32, corners.len() > 8);
-    set.add(Word::Backwards as u32, cells::differs_backwards(table, v)?);
-    set.add(Word::FromStored as u32, cells::differs_from_stored(table, v)?);
+    set.either(Word::Border, Word::NotBorder, open);
+    set.either(Word::OneTriangle, Word::SeveralTriangles, corners.len() < 2);
+    set.add(Word::Degree8, corners.len() > 8);
+    set.add(Word::Backwards, cells::differs_backwards(table, v)?);
+    set.add(Word::FromStored, cells::differs_from_stored(table, v)?);
     let stored = table.outgoing(v)?;
     let before = table.twin(stored).and_then(|twin| table.face(twin));
-    set.add(Word::BorderStored as u32, open && corners.len() > 1 && before != table.outer_face);
+    set.add(Word::BorderStored, open && corners.len() > 1 && before != table.outer_face);
     Some(())
 }
 
 fn of_table(table: &Table, set: &mut FeatureSet) {
     let sizes = triangles(table).map(|f| corners(table, f)).collect::<Vec<_>>();
     let degree = |v| table.outgoing(VertexId::new(v)).map_or(0, |h| star(table, h).len());
-    set.add(Word::Degree3 as u32, (0..table.vertices.len() as u32).any(|v| degree(v) > 2));
-    set.add(Word::NotTriangles as u32, sizes.contains(&None));
+    set.add(Word::Degree3, (0..table.vertices.len() as u32).any(|v| degree(v) > 2));
+    set.add(Word::NotTriangles, sizes.contains(&None));
     let half_edges = || (0..table.half_edges.len() as u32).map(HalfEdgeId::new);
     let one = |h| table.twin(h).is_some_and(|twin| table.face(twin) == table.face(h));
-    set.add(Word::OneFace as u32, half_edges().any(one));
-    set.add(Word::Large as u32, table.half_edges.len() > 256);
+    set.add(Word::OneFace, half_edges().any(one));
+    set.add(Word::Large, table.half_edges.len() > 256);
     let places: Vec<_> = (0..table.vertices.len() as u32).map(|v| place(table, VertexId::new(v))).collect();
-    set.add(Word::Blind as u32, places.windows(2).all(|pair| pair[0] == pair[1]));
+    set.add(Word::Blind, places.windows(2).all(|pair| pair[0] == pair[1]));
 }

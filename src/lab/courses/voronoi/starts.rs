@@ -1,6 +1,7 @@
 //! The triangulations that cases begin with: points, joined by the kit's own Delaunay triangulation.
 
 use crate::cases::handouts::SITES;
+use crate::cases::numbers::renumbered;
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::protocol::Start;
@@ -38,7 +39,7 @@ pub(super) fn of_points(name: &str, points: &[[f64; 2]]) -> Option<Given> {
 /// The same with another number for the outer face, that of a triangle; every record is written out.
 pub(super) fn with_outer_face(name: &str, points: &[[f64; 2]], number: u32) -> Option<Given> {
     let built = delaunay(points)?;
-    let mut table = Table::from_planar_view(&built);
+    let table = Table::from_planar_view(&built);
     let outer = table.outer_face?;
     let number = FaceId::new(number);
     let exchanged = |f: FaceId| match f {
@@ -46,12 +47,8 @@ pub(super) fn with_outer_face(name: &str, points: &[[f64; 2]], number: u32) -> O
         _ if f == number => outer,
         _ => f,
     };
-    for row in table.half_edges.iter_mut().flatten() {
-        row.face = row.face.map(exchanged);
-    }
-    table.faces.swap(outer.index(), number.index());
+    let mut table = renumbered(&table, |v| v, |h| h, exchanged);
     table.faces.iter_mut().flatten().for_each(|row| *row = FaceRow { half_edge: row.half_edge, ..FaceRow::default() });
-    table.outer_face = Some(number);
     let (sites, half_edges) = (table.vertices.len(), table.half_edges.len());
     Some(Given { name: name.to_owned(), start: Start::table(table), sites, half_edges })
 }

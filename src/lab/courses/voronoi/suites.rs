@@ -5,7 +5,7 @@ use super::{cells, centres, costs, duals, features, picture};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, grid, polygon, wheel};
-use crate::fault::{Fault, FaultKind};
+use crate::fault::Fault;
 use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
@@ -54,15 +54,11 @@ impl Judge for VoronoiDiagrams {
     }
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-        if suite.name == LARGE {
-            let mut faults = answers::judge(IN_LARGE, case, answer);
-            faults.extend(many::judge(LARGE, &costs::LARGE, case, answer));
-            return faults;
+        match suite.name {
+            LARGE => many::judge(IN_LARGE, LARGE, &costs::LARGE, case, answer),
+            PICTURE => pictures::told_apart(PICTURE, case, answer, picture::plain),
+            _ => answers::judge(FUNCTIONS, case, answer),
         }
-        if suite.name != PICTURE {
-            return answers::judge(FUNCTIONS, case, answer);
-        }
-        pictures::told_apart(PICTURE, case, answer, picture::plain)
     }
 
     fn told_by(&self, test: &str) -> ToldBy {
@@ -72,18 +68,14 @@ impl Judge for VoronoiDiagrams {
     crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
-        match (&fault.kind, fault.test) {
-            (FaultKind::Crashed { .. }, _) => "a call panics, or ends the program",
-            (FaultKind::TimedOut | FaultKind::OutOfMemory | FaultKind::DoesNotComeBack { .. }, _) => {
-                "a call does not come back"
-            }
-            (_, "circle_centre") => "circle_centre is as far from all three points, and refuses points on one line",
-            (_, "dual") => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
-            (_, "voronoi") => "the vertices of the dual are the centres of the triangles",
-            (_, "ray") => "a ray begins at the centre of its triangle and runs away from the triangulation",
-            (_, "cell" | LARGE) => "cell lists the centres of the triangles at a vertex, counter-clockwise",
+        fault.kind.unfinished().unwrap_or(match fault.test {
+            "circle_centre" => "circle_centre is as far from all three points, and refuses points on one line",
+            "dual" => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
+            "voronoi" => "the vertices of the dual are the centres of the triangles",
+            "ray" => "a ray begins at the centre of its triangle and runs away from the triangulation",
+            "cell" | LARGE => "cell lists the centres of the triangles at a vertex, counter-clockwise",
             _ => "the picture shows the edges and rays of the diagram, and its sites",
-        }
+        })
     }
 }
 
@@ -129,14 +121,8 @@ fn fixed(function: &str) -> Vec<Case> {
     }
     let mut all: Vec<Case> = starts::fixed().iter().map(|given| case(function, given)).collect();
     if function == "dual" {
-        let others = [
-            polygon(&[[0., 0.], [4., 0.], [3., 3.]]),
-            polygon(&[[0., 0.]; 5]),
-            wheel(40),
-            convex(300),
-            grid(3, 2),
-            grid(20, 15),
-        ];
+        let triangle = [[0., 0.], [4., 0.], [3., 3.]];
+        let others = [polygon(&triangle), polygon(&[[0., 0.]; 5]), wheel(40), convex(300), grid(3, 2), grid(20, 15)];
         for (i, start) in others.into_iter().enumerate() {
             all.push(Case::new(format!("dual.other.{i}"), start).step(Step::Dump).step(Step::of_line("dual")));
         }
