@@ -16,8 +16,8 @@ use super::cone::{Beam, ENDS};
 use super::ray::{Ray, difference};
 use crate::plane::Point;
 
-/// More than rounding may change of the products that are compared.
-const DOUBT: f64 = 4e-15;
+/// More than rounding may change of the products that are compared, as a share of their sizes.
+pub(super) const DOUBT: f64 = 4e-15;
 
 fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]

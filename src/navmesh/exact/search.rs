@@ -9,7 +9,7 @@ use super::super::planner::Planner;
 use super::super::rooms::Rooms;
 use super::super::scratch::Scratch;
 use super::cone::{Beam, Cone, ENDS, Node, START};
-use super::estimate::{between, guess, seen};
+use super::estimate::{DOUBT, between, guess, seen};
 use super::ray::difference;
 use super::side::EdgeOn;
 use crate::ids::FaceId;
@@ -147,7 +147,8 @@ impl Exact {
         best.1 != NONE
     }
 
-    /// Puts the cones that were found into the queue, but for those with too long a guess.
+    /// Puts the cones that were found into the queue, but for those with too long a guess and those that hold no shortest
+    /// path.
     fn enqueue<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, goal: Point, best: f64) {
         for beam in &self.found {
             let guess = beam.node.length + guess(beam, goal);
@@ -268,7 +269,9 @@ impl Exact {
         let (portal, off) = (difference(right, left), difference(beam.root, right));
         let whole = norm(portal);
         let straight = |t: f64| beam.node.length + norm([off[0] + portal[0] * t, off[1] + portal[1] * t]);
-        let is_shorter = |round: f64, straight: f64| round < straight * (1.0 - ROUNDED);
+        // What rounding changes of a point on the portal is a share of all of it, however close the root.
+        let off_portal = DOUBT * (portal[0].abs() + portal[1].abs());
+        let is_shorter = |round: f64, straight: f64| round < straight * (1.0 - ROUNDED) - off_portal;
         is_shorter(by_right + whole * high, straight(high)) || is_shorter(by_left + whole * (1.0 - low), straight(low))
     }
 
