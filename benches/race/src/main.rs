@@ -12,6 +12,8 @@
 #[allow(dead_code)]
 mod inputs;
 mod native;
+#[path = "../../ways/random.rs"]
+mod random;
 mod rows;
 mod segments;
 mod shapes;
@@ -19,6 +21,7 @@ mod surfaces;
 
 use cpu_time::ProcessTime;
 use native::{NATIVE, OURS};
+use random::Random;
 use rows::{ROWS, Row};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;

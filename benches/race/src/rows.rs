@@ -1,6 +1,7 @@
 //! What is done, by whom. The first program of a row is ours.
 
-use crate::inputs::{Random, Triangles, delaunay, ordered, shuffled};
+use crate::Random;
+use crate::inputs::{Triangles, delaunay, ordered, shuffled};
 use crate::shapes::{Ring, coast, ragged, round, spiral, squares};
 use crate::{segments, surfaces};
 use dcel_kit::plane::{Operation, Parts, Point, PointIndex, Subdivision, TriangulationMethod};

@@ -1,6 +1,7 @@
 //! Segments: those that meet at ends, those that cross, and subdivisions of them laid over each other.
 
-use crate::inputs::{Random, delaunay};
+use crate::Random;
+use crate::inputs::delaunay;
 use crate::rows::{Prepared, coasts, edges, rings, work};
 use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
 use dcel_kit::topology::Dcel;

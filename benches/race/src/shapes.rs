@@ -1,6 +1,6 @@
 //! Polygons: closed lines, counter-clockwise.
 
-use crate::inputs::Random;
+use crate::Random;
 use std::f64::consts::TAU;
 
 /// A closed line.

@@ -1,6 +1,6 @@
 //! Half-edges alone: edits, and steps of subdivision.
 
-use crate::inputs::Random;
+use crate::Random;
 use crate::rows::{Prepared, work};
 use alum::{DVec3, EditableTopology, HH, HasTopology, PolyMeshF32, PolyMeshF64, VH};
 use dcel_kit::HalfEdgeId;
