@@ -59,7 +59,7 @@ impl PointList {
     /// back.
     ///
     /// # Errors
-    /// [`ReadProblem::OutOfMemory`].
+    /// [`ReadProblem::OutOfMemory`](super::ReadProblem::OutOfMemory).
     pub fn check_room(&self, bytes_per_point: usize) -> Result<(), ReadError> {
         reserved::<u8>(self.points.len().saturating_mul(bytes_per_point), &self.source).map(drop)
     }
