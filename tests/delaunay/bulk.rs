@@ -120,6 +120,48 @@ fn thousands_of_points_are_locally_delaunay_everywhere() {
     }
 }
 
+/// Heaps of points within heaps, down to the last places of their coordinates: each level leaves all of a heap in one cell
+/// of the grid above it.
+fn heaps(random: &mut Random, kind: &str) -> Vec<Point> {
+    let mut points = vec![Point::new(-1.0, -1.0), Point::new(2.0, 2.0)];
+    let centres = [(); 3].map(|()| [(); 2].map(|()| random.below(1 << 10) as f64 / 1024.0));
+    for [x, y] in centres {
+        for level in 1..=4 {
+            // A power of two, so that nothing is rounded: 32 steps of a grid across.
+            let step = 0.5_f64.powi(10 * level);
+            let place = |random: &mut Random| match kind {
+                "grids" => [random.below(32) as f64, random.below(32) as f64],
+                "lines" => [(); 2].map(|()| level as f64).map(|x| x * random.below(200) as f64),
+                _ => [(); 2].map(|()| 32.0 * crate::families::unit(random)),
+            };
+            points.extend((0..150).map(|_| place(random)).map(|[u, v]| Point::new(x + step * u, y + step * v)));
+        }
+        // One place, again and again.
+        points.extend([Point::new(x, y); 60]);
+    }
+    points
+}
+
+#[test]
+fn heaps_within_heaps_are_delaunay_and_do_not_depend_on_the_order_of_the_points() {
+    for kind in ["random", "grids", "lines"] {
+        for seed in 0..4 {
+            let mut random = Random(seed);
+            let given = heaps(&mut random, kind);
+            let context = format!("{kind}, seed {seed}");
+            let built = Subdivision::delaunay(&given).unwrap();
+            let places: std::collections::BTreeSet<[u64; 2]> =
+                given.iter().map(|p| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()]).collect();
+            assert_eq!(built.subdivision.vertex_count(), places.len(), "{context}");
+            assert_eq!(built.repeated.len(), given.len() - places.len(), "{context}");
+            check(&built.subdivision, &context);
+            let mixed: Vec<Point> = random.shuffled(given.len()).into_iter().map(|i| given[i]).collect();
+            let [a, b] = [built.subdivision, Subdivision::delaunay(&mixed).unwrap().subdivision].map(|s| edges(&s));
+            assert_eq!(a, b, "{context}");
+        }
+    }
+}
+
 #[test]
 fn points_that_cannot_be_used_are_named() {
     let error = Subdivision::delaunay(&[Point::new(0.0, 0.0), Point::new(f64::NAN, 1.0)]).unwrap_err();

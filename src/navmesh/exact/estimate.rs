@@ -52,15 +52,14 @@ pub(super) fn seen(beam: &Beam) -> [f64; 2] {
     [if low > 0.0 { low } else { 0.0 }, if high < 1.0 { high } else { 1.0 }]
 }
 
-/// The guess of the length from the root of a cone to the goal, by way of its portal.
+/// The guess of the length from the root of a cone to the goal, by way of the part of its portal that is [`seen`].
 #[inline]
-pub(super) fn guess(beam: &Beam, goal: Point) -> f64 {
+pub(super) fn guess(beam: &Beam, [low, high]: [f64; 2], goal: Point) -> f64 {
     let root = beam.root;
     if beam.node.is_at_endpoint() {
         return distance(root, goal);
     }
     let [right, left] = beam.endpoints;
-    let [low, high] = seen(beam);
     let portal = difference(right, left);
     // The root is on the left of the line from the right endpoint to the left, or so close to it that rounding could say
     // otherwise: then a goal that was mirrored, or not, by that would be on the wrong side.
@@ -104,7 +103,8 @@ mod tests {
         let beam = Beam { node, root, left: to_left, right: to_right, endpoints: [right, left] };
         for goal in [(0.27, 1.39), (0.13, 1.41)].map(Point::from) {
             let shortest = distance(root, left) + distance(left, goal);
-            assert!(guess(&beam, goal) <= shortest * (1.0 + 1e-15), "{goal}: {} > {shortest}", guess(&beam, goal));
+            let guess = guess(&beam, seen(&beam), goal);
+            assert!(guess <= shortest * (1.0 + 1e-15), "{goal}: {guess} > {shortest}");
         }
     }
 }

@@ -106,7 +106,7 @@ impl Exact {
                 continue;
             }
             let mut beam = self.beam(rooms, node);
-            if self.is_outdone_by_endpoint(rooms, scratch, &beam) {
+            if self.is_outdone_by_endpoint(rooms, scratch, &beam, || seen(&beam)) {
                 continue;
             }
             // A single successor is looked at straight away.
@@ -124,7 +124,7 @@ impl Exact {
                     self.enqueue(rooms, scratch, goal, best.0);
                     break;
                 };
-                if only.node.length >= best.0 || self.is_outdone_by_endpoint(rooms, scratch, &only) {
+                if only.node.length >= best.0 || self.is_outdone_by_endpoint(rooms, scratch, &only, || seen(&only)) {
                     break;
                 }
                 beam = only;
@@ -151,8 +151,9 @@ impl Exact {
     /// path.
     fn enqueue<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, goal: Point, best: f64) {
         for beam in &self.found {
-            let guess = beam.node.length + guess(beam, goal);
-            if guess < best && !self.is_outdone_by_endpoint(rooms, scratch, beam) {
+            let part = seen(beam);
+            let guess = beam.node.length + guess(beam, part, goal);
+            if guess < best && !self.is_outdone_by_endpoint(rooms, scratch, beam, || part) {
                 scratch.push(guess, self.nodes.len() as u32);
                 self.nodes.push(beam.node);
             }
@@ -208,7 +209,7 @@ impl Exact {
                 continue;
             }
             let beam = self.beam(rooms, node);
-            if self.is_outdone_by_endpoint(rooms, scratch, &beam) {
+            if self.is_outdone_by_endpoint(rooms, scratch, &beam, || seen(&beam)) {
                 continue;
             }
             scratch.work.expansions += 1;
@@ -227,17 +228,17 @@ impl Exact {
     fn enqueue_near<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, limit: f64) {
         for beam in &self.found {
             let [right, left] = beam.endpoints;
-            let [low, high] = seen(beam);
-            let ends = [between(right, left, low), between(right, left, high)];
+            let part = seen(beam);
+            let ends = part.map(|t| between(right, left, t));
             let nearest = beam.node.length + distance(beam.root, closest_on(ends, beam.root));
-            if nearest <= limit && !self.is_outdone_by_endpoint(rooms, scratch, beam) {
+            if nearest <= limit && !self.is_outdone_by_endpoint(rooms, scratch, beam, || part) {
                 scratch.push(nearest, self.nodes.len() as u32);
                 self.nodes.push(beam.node);
             }
         }
     }
 
-    /// Whether each point that the cone sees of its portal is reached by a shorter path: straight along the portal, from an
+    /// Whether each point that the cone sees of its portal, which `part` tells, is reached by a shorter path: straight along the portal, from an
     /// endpoint to which the length of some path is known.
     ///
     /// ```text
@@ -252,7 +253,13 @@ impl Exact {
     ///
     /// Source: Xin and Wang, *Improving Chen and Han's algorithm on the discrete geodesic problem*, 2009, which filters by
     /// the three corners of a triangle.
-    fn is_outdone_by_endpoint<R: Rooms>(&self, rooms: &R, scratch: &Scratch, beam: &Beam) -> bool {
+    fn is_outdone_by_endpoint<R: Rooms>(
+        &self,
+        rooms: &R,
+        scratch: &Scratch,
+        beam: &Beam,
+        part: impl FnOnce() -> [f64; 2],
+    ) -> bool {
         let (range, first) = rooms.enter(beam.node.portal);
         let known = |s: usize| {
             let vertex = rooms.corner(s).vertex;
@@ -264,7 +271,7 @@ impl Exact {
             return false;
         }
         let [right, left] = beam.endpoints;
-        let [low, high] = seen(beam);
+        let [low, high] = part();
         // By differences of points that were given: as exact far from the origin as near it.
         let (portal, off) = (difference(right, left), difference(beam.root, right));
         let whole = norm(portal);

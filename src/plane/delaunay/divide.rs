@@ -17,7 +17,7 @@
 //! Voronoi diagrams*, 1985.
 
 use super::halves::Halves;
-use super::order::{Axis, Ordered, Site, middle};
+use super::order::{Axis, FINER, Ordered, middle};
 use crate::geometry::predicates::{in_circle, orientation};
 use crate::geometry::threads;
 use crate::plane::Point;
@@ -41,7 +41,7 @@ pub(super) fn divide_and_conquer(ordered: &Ordered) -> Option<Divided> {
         return None;
     }
     let stage = Stage::new("triangulating", count as usize);
-    let (mut work, part) = whole(&ordered.sites, &stage, 0, count, count);
+    let (mut work, part) = whole(ordered, &stage, 0, count, count);
     stage.set(count as usize);
     let outer = match part {
         Part::Edges(outer) => outer,
@@ -52,15 +52,15 @@ pub(super) fn divide_and_conquer(ordered: &Ordered) -> Option<Divided> {
 }
 
 /// The points from `low` to `high`, with half-edges of their own, and room for those of `room` points.
-fn whole<'a>(sites: &'a [Site], stage: &'a Stage, low: u32, high: u32, room: u32) -> (Work<'a>, Part) {
+fn whole<'a>(ordered: &'a Ordered, stage: &'a Stage, low: u32, high: u32, room: u32) -> (Work<'a>, Part) {
     let shared = threads::are_many() && high - low > LARGE;
-    let Some((cut, axis)) = shared.then(|| highest_bit(sites, low, high)).flatten() else {
-        let mut work = Work { sites, stage, halves: Halves::with_room(3 * room as usize) };
-        let part = work.by_key(low, high);
+    let Some((cut, axis)) = shared.then(|| ordered.cut(0, low, high)).flatten() else {
+        let mut work = Work { ordered, stage, halves: Halves::with_room(3 * room as usize) };
+        let part = work.by_key(0, low, high);
         return (work, part);
     };
     let ((mut work, left), (other, right)) =
-        threads::both(|| whole(sites, stage, low, cut, room), || whole(sites, stage, cut, high, high - cut));
+        threads::both(|| whole(ordered, stage, low, cut, room), || whole(ordered, stage, cut, high, high - cut));
     let shift = work.halves.append(other.halves);
     let right = match right {
         Part::Edges(h) => Part::Edges(h + shift),
@@ -68,15 +68,6 @@ fn whole<'a>(sites: &'a [Site], stage: &'a Stage, low: u32, high: u32, room: u32
     };
     let part = work.merge(left, right, axis);
     (work, part)
-}
-
-/// Where the highest bit of the keys from `low` to `high` changes, and the direction that it parts; none if they are equal.
-#[inline]
-fn highest_bit(sites: &[Site], low: u32, high: u32) -> Option<(u32, Axis)> {
-    let range = &sites[low as usize..high as usize];
-    let bit = (range[0].key ^ range[range.len() - 1].key).checked_ilog2()?;
-    let cut = low + range.partition_point(|site| site.key >> bit & 1 == 0) as u32;
-    Some((cut, if bit % 2 == 1 { Axis::X } else { Axis::Y }))
 }
 
 /// What is done of the points.
@@ -89,7 +80,7 @@ enum Part {
 }
 
 struct Work<'a> {
-    sites: &'a [Site],
+    ordered: &'a Ordered,
     stage: &'a Stage,
     halves: Halves,
 }
@@ -97,7 +88,7 @@ struct Work<'a> {
 impl Work<'_> {
     #[inline]
     fn at(&self, v: u32) -> Point {
-        self.sites[v as usize].point
+        self.ordered.sites[v as usize].point
     }
 
     /// Whether the point `v` lies strictly to the left of `h`.
@@ -106,15 +97,15 @@ impl Work<'_> {
         orientation(self.at(self.halves.origin(h)), self.at(self.halves.destination(h)), self.at(v)).is_gt()
     }
 
-    /// The points from `low` to `high`, parted where the highest bit of their keys changes.
-    fn by_key(&mut self, low: u32, high: u32) -> Part {
+    /// The points from `low` to `high`, parted by the grid at a depth, then by the finer ones in it.
+    fn by_key(&mut self, depth: usize, low: u32, high: u32) -> Part {
         if high - low <= 3 {
             return self.few(low, high);
         }
-        let Some((cut, axis)) = highest_bit(self.sites, low, high) else {
-            return self.by_middle(low, high, Axis::X);
+        let Some((cut, axis)) = self.ordered.cut(depth, low, high) else {
+            return if depth < FINER { self.by_key(depth + 1, low, high) } else { self.by_middle(low, high, Axis::X) };
         };
-        let (left, right) = (self.by_key(low, cut), self.by_key(cut, high));
+        let (left, right) = (self.by_key(depth, low, cut), self.by_key(depth, cut, high));
         self.merge(left, right, axis)
     }
 

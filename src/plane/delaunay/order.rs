@@ -14,7 +14,8 @@
 use crate::geometry::point::corners;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use std::cmp::Ordering;
+use std::cmp;
+use std::ops::Range;
 
 /// A direction in which points are divided.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -35,7 +36,7 @@ impl Axis {
 
     /// Which of two points comes first in this direction.
     #[inline]
-    pub(super) fn compare(self, a: Point, b: Point) -> Ordering {
+    pub(super) fn compare(self, a: Point, b: Point) -> cmp::Ordering {
         match self {
             Self::X => left_to_right(a, b),
             Self::Y => left_to_right(Point::new(a.y, -a.x), Point::new(b.y, -b.x)),
@@ -52,55 +53,189 @@ pub(super) struct Site {
     pub(super) index: u32,
 }
 
+/// How many grids there may be inside a crowded cell, one in a cell of the other.
+pub(super) const FINER: usize = 2;
+
+/// A cell with more points than this is crowded.
+const CROWDED: usize = 32;
+
 /// Points in the order in which they are divided, each place once.
 pub(super) struct Ordered {
     pub(super) sites: Vec<Site>,
+    /// The keys of the sites in the finer grids of crowded cells, `NONE` outside of these. Empty if no cell is crowded.
+    finer: [Vec<u32>; FINER],
     /// Points that repeat an earlier one: both input numbers.
     pub(super) repeated: Vec<(u32, u32)>,
 }
 
-/// Puts points in order. Expected O(n) when they are spread over the plane, O(n log n) always.
-pub(super) fn ordered(points: &[Point]) -> Ordered {
-    // About 16 cells for a point, in at most 2^30 cells.
-    let bits = ((points.len().max(2).ilog2() + 5) & !1).min(30);
-    let mut sites = keyed(points, bits / 2);
-    sort_by_key(&mut sites, bits);
-    let mut repeated = Vec::new();
-    let mut kept = 0;
-    let mut start = 0;
-    while start < sites.len() {
-        let key = sites[start].key;
-        let end = start + sites[start..].iter().take_while(|site| site.key == key).count();
-        if end - start == 1 {
-            sites[kept] = sites[start];
-            kept += 1;
-        } else {
-            let count = distinct(&mut sites[start..end], &mut repeated);
-            divide(&mut sites[start..start + count], Axis::X);
-            sites.copy_within(start..start + count, kept);
-            kept += count;
-        }
-        start = end;
+impl Ordered {
+    const NONE: u32 = u32::MAX;
+
+    /// Where the grid at a depth, 0 for that of all points, parts the points of one of its parts, and in which direction:
+    /// where the highest bit of their keys changes. None if they have one key.
+    #[inline]
+    pub(super) fn cut(&self, depth: usize, low: u32, high: u32) -> Option<(u32, Axis)> {
+        let range = low as usize..high as usize;
+        let (cut, axis) = match depth.checked_sub(1) {
+            None => highest_bit(&self.sites[range], |site| site.key),
+            Some(finer) => highest_bit(self.finer[finer].get(range)?, |&key| key),
+        }?;
+        Some((low + cut, axis))
     }
-    sites.truncate(kept);
-    repeated.sort_unstable();
-    Ordered { sites, repeated }
 }
 
-/// The points with their keys: `half` bits for the column and as many for the row.
-fn keyed(points: &[Point], half: u32) -> Vec<Site> {
-    let [low, high] = corners(points.iter().copied());
-    let cells = f64::from(1_u32 << half);
-    // Every step is monotone, so that a greater coordinate never gets a smaller cell.
-    let cell = |x: f64, low: f64, high: f64| {
-        let share = if high > low { (x - low) / (high - low) } else { 0.0 };
-        ((share * cells) as u32).min((1 << half) - 1)
-    };
-    let site = |(index, &point): (usize, &Point)| {
-        let key = spread(cell(point.x, low.x, high.x)) << 1 | spread(cell(point.y, low.y, high.y));
-        Site { point, key, index: index as u32 }
-    };
-    points.iter().enumerate().map(site).collect()
+/// How many come before the highest bit of their keys changes, and the direction that this bit parts.
+#[inline]
+fn highest_bit<T>(range: &[T], key: impl Fn(&T) -> u32) -> Option<(u32, Axis)> {
+    let bit = (key(&range[0]) ^ key(&range[range.len() - 1])).checked_ilog2()?;
+    let cut = range.partition_point(|item| key(item) >> bit & 1 == 0);
+    Some((cut as u32, if bit % 2 == 1 { Axis::X } else { Axis::Y }))
+}
+
+/// Puts points in order. Expected O(n) when they are spread over the plane or over parts of it, O(n log n) always.
+pub(super) fn ordered(points: &[Point]) -> Ordered {
+    let grid = Grid::over(points.iter().copied());
+    let site = |(index, &point): (usize, &Point)| Site { point, key: grid.key(point), index: index as u32 };
+    let mut sites: Vec<Site> = points.iter().enumerate().map(site).collect();
+    let mut scratch = sites.clone();
+    if grid.sort(&mut sites, &mut scratch) {
+        std::mem::swap(&mut sites, &mut scratch);
+    }
+    let order = Ordered { sites, finer: Default::default(), repeated: Vec::new() };
+    let mut ordering = Ordering { order, scratch, kept: 0 };
+    ordering.cells(0..points.len(), &mut Vec::with_capacity(FINER + 1));
+    let Ordering { mut order, kept, .. } = ordering;
+    order.sites.truncate(kept);
+    for keys in order.finer.iter_mut().filter(|keys| !keys.is_empty()) {
+        keys.resize(kept, Ordered::NONE);
+    }
+    order.repeated.sort_unstable();
+    order
+}
+
+/// The work of bringing what shares a cell into order.
+struct Ordering {
+    order: Ordered,
+    /// As many sites, to sort with.
+    scratch: Vec<Site>,
+    /// So many sites are in order, at the front.
+    kept: usize,
+}
+
+impl Ordering {
+    /// Goes through the cells of a grid whose points are sorted by their keys. `path`: the keys of the cells it lies in.
+    fn cells(&mut self, range: Range<usize>, path: &mut Vec<u32>) {
+        let mut start = range.start;
+        while start < range.end {
+            let key = self.order.sites[start].key;
+            let same = self.order.sites[start..range.end].iter().take_while(|site| site.key == key);
+            let end = start + same.count();
+            path.push(key);
+            if end - start > CROWDED && path.len() <= FINER {
+                self.crowded(start..end, path);
+            } else {
+                self.cell(start..end, path);
+            }
+            path.pop();
+            start = end;
+        }
+    }
+
+    /// Lays a finer grid over the points of a crowded cell.
+    fn crowded(&mut self, range: Range<usize>, path: &mut Vec<u32>) {
+        let sites = &mut self.order.sites[range.clone()];
+        let grid = Grid::over(sites.iter().map(|site| site.point));
+        sites.iter_mut().for_each(|site| site.key = grid.key(site.point));
+        let scratch = &mut self.scratch[range.clone()];
+        if grid.sort(sites, scratch) {
+            sites.copy_from_slice(scratch);
+        }
+        self.cells(range, path);
+    }
+
+    /// The points of one cell, which are parted at their middle, follow those that are in order.
+    fn cell(&mut self, range: Range<usize>, path: &[u32]) {
+        let start = range.start;
+        let mut count = range.len();
+        if count > 1 {
+            count = distinct(&mut self.order.sites[range], &mut self.order.repeated);
+            divide(&mut self.order.sites[start..start + count], Axis::X);
+        }
+        let kept = self.kept;
+        if kept < start {
+            self.order.sites.copy_within(start..start + count, kept);
+        }
+        self.kept += count;
+        if let [cell, finer @ ..] = path
+            && !finer.is_empty()
+        {
+            self.order.sites[kept..self.kept].iter_mut().for_each(|site| site.key = *cell);
+            for (keys, &key) in self.order.finer.iter_mut().zip(finer) {
+                keys.resize(kept, Ordered::NONE);
+                keys.resize(self.kept, key);
+            }
+        }
+    }
+}
+
+/// A grid over the box of some points, with about 16 cells for each of them, at most 2^30.
+struct Grid {
+    low: Point,
+    high: Point,
+    /// The bits of a column, and those of a row.
+    half: u32,
+}
+
+impl Grid {
+    fn over(points: impl Iterator<Item = Point> + Clone) -> Self {
+        let half = ((points.clone().count().max(2).ilog2() + 5) / 2).min(15);
+        let [low, high] = corners(points);
+        Self { low, high, half }
+    }
+
+    /// The key of the cell of one of these points.
+    #[inline]
+    fn key(&self, p: Point) -> u32 {
+        let cells = f64::from(1_u32 << self.half);
+        // Every step is monotone, so that a greater coordinate never gets a smaller cell.
+        let cell = |x: f64, low: f64, high: f64| {
+            let share = if high > low { (x - low) / (high - low) } else { 0.0 };
+            ((share * cells) as u32).min((1 << self.half) - 1)
+        };
+        spread(cell(p.x, self.low.x, self.high.x)) << 1 | spread(cell(p.y, self.low.y, self.high.y))
+    }
+
+    /// Sorts sites by key, digit by digit from the lowest on; stable. Whether they stand in `scratch` then, which is as
+    /// long. O(n · bits), with digits of as many bits as n has.
+    fn sort(&self, sites: &mut [Site], scratch: &mut [Site]) -> bool {
+        const FEW: usize = 256;
+        const MOST: u32 = 12;
+        if sites.len() < FEW {
+            sites.sort_by_key(|site| site.key);
+            return false;
+        }
+        let bits = 2 * self.half;
+        let length = bits.div_ceil(bits.div_ceil(sites.len().ilog2().min(MOST)));
+        let (mut from, mut to) = (sites, scratch);
+        let mut moved = false;
+        for shift in (0..bits).step_by(length as usize) {
+            let digit = |site: &Site| (site.key >> shift) as usize & ((1 << length) - 1);
+            let mut starts = vec![0_usize; 1 << length];
+            from.iter().for_each(|site| starts[digit(site)] += 1);
+            let mut sum = 0;
+            for start in &mut starts {
+                sum += std::mem::replace(start, sum);
+            }
+            for site in &*from {
+                let start = &mut starts[digit(site)];
+                to[*start] = *site;
+                *start += 1;
+            }
+            std::mem::swap(&mut from, &mut to);
+            moved = !moved;
+        }
+        moved
+    }
 }
 
 /// Puts a 0 before each of the lower 16 bits.
@@ -109,31 +244,6 @@ fn spread(x: u32) -> u32 {
     let x = (x | x << 4) & 0x0f0f_0f0f;
     let x = (x | x << 2) & 0x3333_3333;
     (x | x << 1) & 0x5555_5555
-}
-
-/// Sorts by key, digit by digit from the lowest on; stable. O(n · bits).
-fn sort_by_key(sites: &mut Vec<Site>, bits: u32) {
-    const MOST: u32 = 12;
-    if sites.len() < 1 << MOST {
-        return sites.sort_by_key(|site| site.key);
-    }
-    let length = bits.div_ceil(bits.div_ceil(MOST));
-    let mut sorted = sites.clone();
-    for shift in (0..bits).step_by(length as usize) {
-        let digit = |site: &Site| (site.key >> shift) as usize & ((1 << length) - 1);
-        let mut starts = vec![0_usize; 1 << length];
-        sites.iter().for_each(|site| starts[digit(site)] += 1);
-        let mut sum = 0;
-        for start in &mut starts {
-            sum += std::mem::replace(start, sum);
-        }
-        for site in &*sites {
-            let start = &mut starts[digit(site)];
-            sorted[*start] = *site;
-            *start += 1;
-        }
-        std::mem::swap(sites, &mut sorted);
-    }
 }
 
 /// Sorts the points of one cell and moves the first of each place to the front. Returns how many there are.
