@@ -173,6 +173,7 @@ pub(super) mod tests {
         assert_eq!(words, "It fails only where it is a: in 5 of those 7 calls, and in none of the 8 others.");
         let half = calls(&[0b011; 50], &[0b011, 0b011, 0b011, 0b011, 0b011, 0b010, 0b010, 0b010]);
         assert_eq!(necessary(&half), None, "more than half of the others have it");
+        assert_eq!(necessary(&calls(&[0b001; 4], &[0; 8])), Some((0b001, 0)), "just enough calls");
         assert_eq!(necessary(&calls(&[0b001; 3], &[0; 99])), None, "three calls");
         assert_eq!(necessary(&calls(&[0b001; 9], &[0; 7])), None, "seven others");
         assert_eq!(necessary(&calls(&[0b001, 0b010, 0b011, 0b011], &[0; 99])), None, "a failing call lacks it");

@@ -405,6 +405,31 @@ mod tests {
     }
 
     #[test]
+    fn a_missing_figure_is_named_with_its_line() {
+        let folder = tempfile::tempdir().unwrap();
+        let lab = folder.path().join("labs/12-own");
+        std::fs::create_dir_all(lab.join("src")).unwrap();
+        std::fs::write(lab.join("README.md"), "# Own\n\nSee\n![b](../../figures/b.svg).\n").unwrap();
+        match LabFiles::read(&lab).unwrap_err() {
+            LabFilesError::NoFigure { line, figure, .. } => assert_eq!((line, figure.as_str()), (4, "b.svg")),
+            other => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn a_lab_of_the_repository_finds_the_shared_program_beside_itself_and_none_of_its_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let lab = folder.path().join("labs/12-own");
+        std::fs::create_dir_all(lab.join("src")).unwrap();
+        std::fs::write(lab.join("src/main.rs"), "fn main() {}\n").unwrap();
+        assert_eq!(LabFiles::of_repository(&lab), None, "there is no shared program");
+        std::fs::create_dir_all(lab.join(HARNESS)).unwrap();
+        assert_eq!(LabFiles::of_repository(&lab).unwrap().name(), "12-own");
+        std::fs::create_dir_all(lab.join("src/harness")).unwrap();
+        assert_eq!(LabFiles::of_repository(&lab), None, "an exported one has its own");
+    }
+
+    #[test]
     fn shared_modules_are_taken_into_the_lab() {
         let text = "mod a;\n#[path = \"../../harness/mod.rs\"]\nmod harness;\n#[path = \"../../04-x/src/dcel.rs\"]\n\
                     mod dcel;\n#[path = \"../src/own.rs\"]\nmod own;\n";

@@ -20,3 +20,32 @@ pub(super) fn findings(judge: &dyn Judge, faults: &[&Fault], section: &str, hidd
     }
     out
 }
+
+#[cfg(all(test, feature = "lab-04"))]
+mod tests {
+    use super::*;
+    use crate::fault::FaultKind;
+
+    fn fault(words: &str) -> Fault {
+        Fault::new("face_walk", FaultKind::Wrong, 0, ["W1", ""], words.to_owned())
+    }
+
+    #[test]
+    fn each_sentence_is_listed_once_and_no_more_than_ten() {
+        let judge = crate::courses::judge_of("04-half-edge").unwrap();
+        let words: Vec<String> = (0..12).flat_map(|i| [format!("wrong {i}"), "wrong 0".to_owned()]).collect();
+        let faults: Vec<Fault> = words.iter().map(|words| fault(words)).collect();
+        let listed = findings(judge, &faults.iter().collect::<Vec<_>>(), "1", false);
+        let expected: Vec<String> = (0..10).map(|i| format!("wrong {i}")).collect();
+        assert_eq!(listed.iter().map(|finding| finding.words.clone()).collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn of_hidden_cases_nothing_is_said_but_the_promise() {
+        let judge = crate::courses::judge_of("04-half-edge").unwrap();
+        let faults = [fault("h3.next = h5"), fault("h4.next = h6")];
+        let listed = findings(judge, &faults.iter().collect::<Vec<_>>(), "1", true);
+        assert_eq!(listed.len(), 1, "{listed:?}");
+        assert!(listed[0].words.starts_with("broken in a hidden case: ") && !listed[0].words.contains("h3"));
+    }
+}

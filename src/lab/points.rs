@@ -271,6 +271,12 @@ mod tests {
     }
 
     #[test]
+    fn whole_numbers_of_points_are_known() {
+        let whole = ["8", "-3", "0", "7.5", "20/3"].map(|text| points(text).whole());
+        assert_eq!(whole, [Some(8), Some(-3), Some(0), None, None]);
+    }
+
+    #[test]
     fn what_is_no_number_of_points_is_refused() {
         for wrong in ["", "x", "1/0", "1/17", "1.2345", "1e3", "NaN", "1/-2", "--1", "9999999", "1/2/3", "%", "0.001 %"]
         {

@@ -155,6 +155,21 @@ pub fn end_of(code: Option<i32>, signal: Option<i32>, stderr: &[u8]) -> End {
 mod tests {
     use super::*;
 
+    /// The names of signals as the shell knows them: an oracle of its own.
+    #[test]
+    #[cfg(unix)]
+    fn signals_have_the_names_that_the_system_gives_them() {
+        for signal in 1..=64 {
+            let name = signal_name(signal);
+            let out =
+                std::process::Command::new("/bin/sh").args(["-c", &format!("kill -l {signal}")]).output().unwrap();
+            let known = String::from_utf8_lossy(&out.stdout).trim().to_owned();
+            assert!(name == "a signal" || name == format!("SIG{known}"), "{signal}: {name}, not {known}");
+        }
+        let named = (1..=64).filter(|&signal| signal_name(signal) != "a signal");
+        assert_eq!(named.collect::<Vec<_>>(), [1, 2, 3, 4, 5, 6, 8, 9, 11, 13, 14, 15, 24, 25, 31]);
+    }
+
     #[test]
     fn aborts_are_told_apart_by_what_the_program_said() {
         let overflow = b"\nthread 'main' has overflowed its stack\nfatal runtime error: stack overflow\n";

@@ -75,3 +75,26 @@ pub(super) fn quoted(text: &str) -> String {
     out.push('"');
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_and_texts_are_read_back_as_they_were() {
+        for (name, written) in [
+            ("face_walk", "face_walk"),
+            ("04-half-edge", "04-half-edge"),
+            ("", "\"\""),
+            ("a b", "\"a b\""),
+            ("a.b", "\"a.b\""),
+        ] {
+            assert_eq!(key(name), written);
+            let table: toml::Table = toml::from_str(&format!("{} = {}", key(name), quoted(name))).unwrap();
+            assert_eq!(table.get(name).and_then(|text| text.as_str()), Some(name));
+        }
+        let odd = "\"\\\t\u{1}é";
+        let table: toml::Table = toml::from_str(&format!("a = {}", quoted(odd))).unwrap();
+        assert_eq!(table["a"].as_str(), Some(odd));
+    }
+}

@@ -217,6 +217,15 @@ fn junit_is_xml_whatever_a_program_printed() {
 }
 
 #[test]
+fn junit_has_what_was_printed_if_anything_was() {
+    let [mut quiet, mut loud] = [report(), report()];
+    quiet.printed = String::new();
+    loud.printed = "at h3".to_owned();
+    assert!(!Format::Junit.one(&quiet).contains("system-out"));
+    assert!(Format::Junit.one(&loud).contains("<system-out>at h3</system-out>"));
+}
+
+#[test]
 fn spreadsheets_see_no_formula_and_one_row_each() {
     let text = Format::Csv.class(&[report(), hostile()]).unwrap();
     let mut reader = csv::Reader::from_reader(text.as_bytes());
@@ -261,6 +270,41 @@ fn pages_hold_what_they_say_and_nothing_runs() {
     for link in page.split("href=\"#").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]) {
         assert_eq!(ids.iter().filter(|id| **id == link).count(), 1, "{link}");
     }
+}
+
+#[test]
+fn what_is_still_to_do_is_open_in_a_page_and_what_is_wrong_is_not() {
+    let page = Format::Html.one(&report());
+    for (verdict, class, sign) in [
+        (Verdict::Passed, "yes", '✓'),
+        (Verdict::Unattempted, "open", '○'),
+        (Verdict::Skipped, "open", '○'),
+        (Verdict::Wrong, "no", '✗'),
+        (Verdict::Crashed, "no", '✗'),
+    ] {
+        let mut one = report();
+        one.tests = vec![test("split_face", 5, verdict, 6)];
+        one.verdict = verdict;
+        let page = Format::Html.one(&one);
+        let signs: Vec<&str> =
+            ["✓", "○", "✗", "!"].into_iter().filter(|s| page.contains(&format!("\">{s} "))).collect();
+        assert_eq!(signs, [sign.to_string()], "{verdict}");
+        assert!(page.contains(&format!("<span class=\"{class}\">{sign} ")), "{verdict}: {page}");
+    }
+    assert!(page.contains("○") && page.contains("✗"));
+}
+
+#[test]
+fn drawings_in_a_page_are_as_wide_as_they_say() {
+    let mut one = report();
+    for picture in one.tests.iter_mut().filter_map(|test| test.picture.as_mut()) {
+        picture.before = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"431px\"/>".to_owned();
+    }
+    let page = Format::Html.one(&one);
+    let widths: Vec<&str> = page.split(" width=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+    assert_eq!(widths[0], "431", "{widths:?}");
+    assert_eq!(widths[1], widths[2], "drawings without a width are equally wide: {widths:?}");
+    assert!(widths[1].parse::<f64>().unwrap() > 200.0, "{widths:?}");
 }
 
 #[test]

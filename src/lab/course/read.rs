@@ -347,6 +347,17 @@ destination_by_next = { needs = ["destination_by_twin"] }
     }
 
     #[test]
+    fn being_late_may_take_points_in_place_of_a_share() {
+        let rule =
+            |takes: &str| read(&GOOD.replace("takes = \"1/10\"", takes)).map(|mut course| course.labs.remove(0).late);
+        assert_eq!(rule("takes_points = 2.5").unwrap().unwrap().takes, Takes::Points("2.5".parse().unwrap()));
+        let both = rule("takes = \"1/10\"\ntakes_points = 2.5").unwrap_err();
+        assert!(both.starts_with("course.toml:5:1: ") && both.contains("one of them"), "{both}");
+        let below = rule("takes_points = -1").unwrap_err();
+        assert!(below.starts_with("course.toml:7:16: ") && below.contains("below 0"), "{below}");
+    }
+
+    #[test]
     fn the_course_of_the_instructors_chapter_is_one() {
         let chapter = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../labs/README.md");
         let chapter = fs::read_to_string(chapter).unwrap();

@@ -83,3 +83,62 @@ fn walk(table: &Table, f: FaceId) -> String {
     };
     format!("{}{end}", names.join(" "))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dcel_kit::HalfEdgeId;
+    use dcel_kit::topology::Dcel;
+
+    /// A square that is cut in two, as it should be and with one wrong link.
+    #[test]
+    fn fields_stand_beside_what_they_were_and_cycles_say_whether_they_come_back() {
+        let mut dcel = Dcel::polygon(4).unwrap();
+        let before = Table::from_view(&dcel);
+        let [a, b] = [0, 4].map(HalfEdgeId::new);
+        dcel.split_face(a, b).unwrap();
+        let expected = Table::from_view(&dcel);
+        let mut yours = expected.clone();
+        // Into the other cycle, which does not lead back.
+        let other = (0..10).map(HalfEdgeId::new).find(|&h| expected.face(h) != expected.face(HalfEdgeId::new(8)));
+        let at = yours.half_edges[8].as_mut().unwrap();
+        (at.next, at.prev) = (other, other);
+        let text = of(&before, &expected, &yours);
+        let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        let lines: Vec<Vec<String>> = text.lines().map(words).collect();
+        let shown = |h: Option<HalfEdgeId>| h.unwrap().to_string();
+        let both = |field: fn(&Table, HalfEdgeId) -> Option<HalfEdgeId>| {
+            [&expected, &yours].map(|table| shown(field(table, HalfEdgeId::new(8))))
+        };
+        for (line, field, [right, wrong]) in [(1, "h8.next", both(Table::next)), (2, "h8.prev", both(Table::prev))] {
+            assert_eq!(lines[line], [field, "-", &right, &wrong], "{text}");
+        }
+        // The cycle that the wrong link cuts short, as it was, should be, and is.
+        let cycle = |table: &Table, f: u32| {
+            let first = table.half_edge(FaceId::new(f)).unwrap();
+            cycle(table, first).iter().map(ToString::to_string).collect::<Vec<_>>()
+        };
+        let face = expected.face(HalfEdgeId::new(8)).unwrap();
+        let at = lines.iter().position(|line| line.first() == Some(&face.to_string())).unwrap();
+        assert_eq!(lines[at + 1][1..], cycle(&expected, face.number()), "{text}");
+        assert_eq!(lines[at + 1][0], "expected");
+        assert!(lines[at + 2].join(" ").starts_with("yours h") && text.contains("and does not come back"), "{text}");
+        assert_eq!(of(&expected, &expected, &expected), "");
+    }
+
+    #[test]
+    fn what_stood_there_before_is_that_of_the_same_field() {
+        let before = Table::from_view(&Dcel::polygon(3).unwrap());
+        let (mut expected, mut yours) = (before.clone(), before.clone());
+        for (h, [should, is]) in [(0, [4, 2]), (2, [1, 3])] {
+            expected.half_edges[h].as_mut().unwrap().next = Some(HalfEdgeId::new(should));
+            yours.half_edges[h].as_mut().unwrap().next = Some(HalfEdgeId::new(is));
+        }
+        let text = of(&before, &expected, &yours);
+        for h in [0, 2].map(HalfEdgeId::new) {
+            let was = before.next(h).unwrap().to_string();
+            let line = text.lines().find(|line| line.starts_with(&format!("{h}.next"))).unwrap();
+            assert_eq!(line.split_whitespace().nth(1), Some(was.as_str()), "{text}");
+        }
+    }
+}

@@ -22,3 +22,20 @@ pub(super) fn page(title: &str, text: &str, picture: &Picture) -> String {
     let _ = write!(out, "</div>\n<pre>{}</pre>\n</body>\n</html>\n", escaped(text));
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_shows_the_three_drawings_in_their_order_under_an_escaped_title() {
+        let drawing = |name: &str| format!("<?xml version=\"1.0\"?>\n<svg><title>{name}</title></svg>");
+        let [before, expected, yours] = ["b", "e", "y"].map(drawing);
+        let page = page("a < b", "h3 <- h4 & more", &Picture { before, expected, yours, ascii: String::new() });
+        let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("no {text} in {page}"));
+        assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<title>a &lt; b</title>"));
+        let order = ["before</", "<title>b", "expected</", "<title>e", "yours</", "<title>y"].map(place);
+        assert!(order.is_sorted() && !page.contains("<?xml"), "{page}");
+        assert!(place("h3 &lt;- h4 &amp; more") > order[5], "{page}");
+    }
+}

@@ -204,6 +204,15 @@ mod tests {
     }
 
     #[test]
+    fn a_value_is_given_as_its_own_kind_alone() {
+        let value = |text: &str| read(text).unwrap().remove(0);
+        assert_eq!(["true", "false", "1"].map(|text| value(text).truth()), [Some(true), Some(false), None]);
+        assert_eq!(["7", "true"].map(|text| value(text).id()), [Some(7), None]);
+        assert_eq!(["#0.5", "1"].map(|text| value(text).number()), [Some(0.5), None]);
+        assert_eq!(["(1,2)", "(1,2,3)", "1"].map(|text| value(text).point()), [Some([1.0, 2.0]), None, None]);
+    }
+
+    #[test]
     fn what_is_no_value_is_not_read() {
         for text in [
             "maybe",

@@ -385,3 +385,44 @@ fn tell_apart(submissions: &mut [Submission]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_systems_leave_behind_and_what_is_hidden_is_no_submission() {
+        for name in [".DS_Store", ".git", "Thumbs.db", "desktop.ini", "__MACOSX"] {
+            assert!(is_left_by_systems(name), "{name}");
+        }
+        assert!(!is_left_by_systems("anna") && !is_left_by_systems("thumbs"));
+    }
+
+    #[test]
+    fn a_number_of_a_person_is_all_digits() {
+        assert!(is_number("4711"));
+        assert!(!is_number("") && !is_number("47x") && !is_number("-1"));
+        assert!(Lms::parse("Anna Arndt__assignsubmission_file_").is_none(), "there is no number");
+    }
+
+    #[test]
+    fn only_a_folder_around_several_things_is_left_out() {
+        let parts = |paths: &[&str]| -> Vec<Part> {
+            let part = |path: &&str| Part { path: (*path).to_owned(), content: Content::Bytes(Vec::new()) };
+            paths.iter().map(part).collect()
+        };
+        let left = |paths: &[&str]| -> Vec<String> {
+            without_the_folder_around(parts(paths)).into_iter().map(|part| part.path).collect()
+        };
+        assert_eq!(left(&["class/anna/lab.rs", "class/bob/lab.rs"]), ["anna/lab.rs", "bob/lab.rs"]);
+        for kept in [
+            // Of two folders, of a person by the name that a course system gives, of one submission.
+            &["anna/a/lab.rs", "bob/b/lab.rs"][..],
+            &["Anna Arndt_4711_assignsubmission_file_/one.rs", "Anna Arndt_4711_assignsubmission_file_/two.rs"],
+            &["anna/src/lab.rs", "anna/answers.md"],
+            &["lab.rs"],
+        ] {
+            assert_eq!(left(kept), kept);
+        }
+    }
+}

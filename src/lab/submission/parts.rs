@@ -154,3 +154,25 @@ pub(super) fn kind(name: &str) -> Kind {
         Kind::None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn copies_of_a_file_are_like_it_and_others_are_not() {
+        for name in ["lab.rs", "Lab.RS", "lab-1.rs", "lab (2).rs", "lab_copy.rs", "lab - Copy.rs"] {
+            assert!(is_like(name, "lab.rs"), "{name}");
+        }
+        for name in ["notes.rs", "lab.txt", "lab-1.txt", "label.rs", "my_lab.rs", "lab", "1.rs"] {
+            assert!(!is_like(name, "lab.rs"), "{name}");
+        }
+        assert!(is_like("Makefile", "makefile") && !is_like("Makefile", "lab.rs"));
+    }
+
+    #[test]
+    fn endings_are_alike_if_there_are_any() {
+        assert!(ends_alike("other.RS", "lab.rs"));
+        assert!(!ends_alike("other.txt", "lab.rs") && !ends_alike("other", "lab.rs") && !ends_alike("other", "lab"));
+    }
+}

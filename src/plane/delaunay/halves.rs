@@ -69,9 +69,12 @@ impl Halves {
         match self.free.pop() {
             None => {
                 let h = self.origin.len() as u32;
-                self.origin.extend([a, b]);
-                self.next.extend([h ^ 1, h]);
-                self.prev.extend([h ^ 1, h]);
+                for (column, halves) in
+                    [(&mut self.origin, (a, b)), (&mut self.next, (h ^ 1, h)), (&mut self.prev, (h ^ 1, h))]
+                {
+                    column.push(halves.0);
+                    column.push(halves.1);
+                }
                 h
             }
             Some(edge) => {

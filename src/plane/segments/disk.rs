@@ -32,7 +32,11 @@ impl Subdivision {
             let ring = &mut list[range[0] as usize..range[1] as usize];
             let at = points[v as usize];
             let to = |h: u32| points[ends[(h ^ 1) as usize] as usize];
-            ring.sort_unstable_by(|&g, &h| from_below(at, to(g), to(h)));
+            let order = |g: u32, h: u32| from_below(at, to(g), to(h));
+            match ring {
+                [a, b, c] => sort_three([a, b, c], order),
+                _ => ring.sort_unstable_by(|&g, &h| order(g, h)),
+            }
             one_rings.link_all(v, ring.iter().copied());
         }
         let mut columns = one_rings.into_columns();
@@ -52,6 +56,22 @@ impl Subdivision {
         let mut subdivision = Self::from_parts(Dcel::from_columns(columns), points.into());
         subdivision.order_inner_components(vec![InnerComponent::Cycle(HalfEdgeId::new(first))]);
         Ok(subdivision)
+    }
+}
+
+/// What most rings of a diagram are, sorted without the steps that a sort takes to find out how long they are.
+#[inline]
+fn sort_three([a, b, c]: [&mut u32; 3], order: impl Fn(u32, u32) -> Ordering) {
+    let sort = |g: &mut u32, h: &mut u32| {
+        let is_wrong = order(*g, *h).is_gt();
+        if is_wrong {
+            std::mem::swap(g, h);
+        }
+        is_wrong
+    };
+    sort(a, b);
+    if sort(b, c) {
+        sort(a, b);
     }
 }
 

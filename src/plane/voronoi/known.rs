@@ -46,7 +46,7 @@ impl Voronoi<'_> {
         let mut sites: Vec<[VertexId; 2]> = Vec::with_capacity(self.edges.len());
         for edge in &self.edges {
             let Some(piece) = self.piece(edge, window) else { continue };
-            let ids = [0, 1].map(|i| match edge.ends[i] {
+            let mut id = |i: usize| match edge.ends[i] {
                 Some(corner) if window.contains(piece[i]) => {
                     let number = &mut number_of[corner as usize];
                     if *number == NONE {
@@ -59,7 +59,8 @@ impl Voronoi<'_> {
                     at_border.push((piece[i], number));
                     number
                 }
-            });
+            };
+            let ids = [id(0), id(1)];
             ends.edges.push(ids);
             sites.push(edge.sites);
         }

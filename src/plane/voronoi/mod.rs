@@ -200,11 +200,12 @@ impl Subdivision {
             waiting.push(first);
             while let Some(f) = waiting.pop() {
                 for h in self.dcel.incident_half_edges(f) {
-                    let beside = self.dcel.face(h.twin());
-                    if beside == self.outer_face() || corner_of[beside].is_some() {
+                    if !on_circle[h.edge()] {
                         continue;
                     }
-                    if on_circle[h.edge()] {
+                    // No edge of the outline is marked.
+                    let beside = self.dcel.face(h.twin());
+                    if corner_of[beside].is_none() {
                         corner_of[beside] = mine;
                         waiting.push(beside);
                     }

@@ -80,8 +80,8 @@ impl Voronoi<'_> {
     pub fn piece(&self, edge: &VoronoiEdge, window: &Window) -> Option<[Point; 2]> {
         let line = || self.line(edge);
         let back = |along: Point| Point::new(-along.x, -along.y);
-        let corner = |end: Option<u32>| end.map(|corner| self.corners[corner as usize]);
-        let [from, to] = edge.ends.map(corner);
+        let corner = |i: usize| edge.ends[i].map(|corner| self.corners[corner as usize]);
+        let [from, to] = [corner(0), corner(1)];
         let inside = |p: Option<Point>| p.filter(|&p| window.contains(p));
         let piece = match (inside(from), inside(to)) {
             (Some(from), Some(to)) => [from, to],
