@@ -219,3 +219,25 @@ pub fn half_edge_row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
 fn vertex_row(table: &Table, v: VertexId) -> VertexRow {
     table.vertices.get(v.index()).copied().flatten().unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dcel_kit::topology::Dcel;
+
+    /// Each field of a half-edge is looked up as itself: the five of a half-edge in a triangle all differ.
+    #[test]
+    fn a_field_has_the_content_of_its_own_column() {
+        let table = Table::from_view(&Dcel::polygon(3).unwrap());
+        let h = HalfEdgeId::new(2);
+        let shown = |field: Field| Content::of(&table, Some(h.into()), field).to_string();
+        let row = table.half_edges[2].clone().unwrap();
+        assert_eq!(shown(Field::Origin), row.origin.unwrap().to_string());
+        assert_eq!(shown(Field::Twin), table.twin(h).unwrap().to_string());
+        assert_eq!(shown(Field::Next), row.next.unwrap().to_string());
+        assert_eq!(shown(Field::Prev), row.prev.unwrap().to_string());
+        assert_eq!(shown(Field::Face), row.face.unwrap().to_string());
+        let all = [Field::Origin, Field::Twin, Field::Next, Field::Prev, Field::Face].map(shown);
+        assert!((0..5).all(|i| all[i + 1..].iter().all(|other| *other != all[i])), "{all:?}");
+    }
+}

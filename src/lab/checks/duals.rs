@@ -60,3 +60,36 @@ pub fn representatives(of: &str, table: &Table) -> Option<Wrong> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dcel_kit::topology::Dcel;
+
+    /// A half-edge that is gone is called so, and one that belongs elsewhere is not.
+    #[test]
+    fn a_representative_is_told_to_be_gone_or_to_be_elsewhere() {
+        let mut dcel = Dcel::polygon(4).unwrap();
+        let (cut, _) = dcel.split_face(HalfEdgeId::new(0), HalfEdgeId::new(4)).unwrap();
+        dcel.join_faces(cut).unwrap();
+        let right = Table::from_view(&dcel);
+        assert_eq!(representatives("", &right), None);
+        assert_eq!(right.half_edges.get(cut.index()), Some(&None), "the cut is a gap in the numbers");
+        let elsewhere = (0..8).map(HalfEdgeId::new).find(|&h| {
+            right.origin(h) != Some(VertexId::new(0))
+                && right.face(h) != right.faces[1].as_ref().map(|_| FaceId::new(1))
+        });
+        for (own, why) in [(Some(cut), "which was removed"), (elsewhere, "which does not start there")] {
+            let mut wrong = right.clone();
+            wrong.vertices[0].as_mut().unwrap().outgoing = own;
+            let said = representatives("", &wrong).unwrap();
+            assert!(said.because.ends_with(why), "{}", said.because);
+        }
+        for (own, why) in [(Some(cut), "which was removed"), (elsewhere, "which has another face")] {
+            let mut wrong = right.clone();
+            wrong.faces[1].as_mut().unwrap().half_edge = own;
+            let said = representatives("", &wrong).unwrap();
+            assert!(said.because.ends_with(why), "{}", said.because);
+        }
+    }
+}

@@ -432,3 +432,20 @@ fn read(path: &Path, file: &str) -> Result<Vec<u8>, IntakeError> {
     }
     Ok(bytes)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_files_that_may_be_meant_two_are_named() {
+        let parts = |paths: &[&str]| -> Vec<Part> {
+            let part = |path: &&str| Part { path: (*path).to_owned(), content: Content::OnDisk((*path).into()) };
+            paths.iter().map(part).collect()
+        };
+        let said = |paths: &[&str]| instead(&parts(paths), "src/lab.rs");
+        assert!(said(&["a.rs", "notes.txt", "b.rs"]).starts_with("; there are `a.rs`, `b.rs`: the one that counts"));
+        assert!(said(&["a.rs", "b.rs", "c.rs"]).starts_with("; there are `a.rs`, `b.rs` and more: "));
+        assert_eq!([said(&["a.rs"]), said(&["a.txt", "b.txt"]), said(&[])], ["", "", ""]);
+    }
+}
