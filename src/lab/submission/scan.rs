@@ -512,6 +512,25 @@ mod tests {
     }
 
     #[test]
+    fn what_looks_beyond_the_file_is_named_with_what_to_do() {
+        for (text, said) in [
+            ("fn f() { include_str!(\"a\"); }", "`include_str!` is not for this lab: it looks beyond the file"),
+            ("fn f() { env!(\"HOME\"); }", "`env!` is not for this lab: it looks beyond the file"),
+            (
+                "use std::include_str as s;",
+                "`include_str` is not for this lab: it looks beyond the file; use another name",
+            ),
+            (
+                "use std::env as e;",
+                "`env` can stand for the macro `env!` here, which looks beyond the file; use another name",
+            ),
+        ] {
+            let found = first(text).unwrap();
+            assert!(found.ends_with(said), "{text}: {found}");
+        }
+    }
+
+    #[test]
     fn findings_name_their_place() {
         assert_eq!(
             first("fn f() {\r\n    std::fs::read(\"x\");\r\n}").unwrap(),

@@ -36,10 +36,11 @@ impl Voronoi<'_> {
     /// The window cut into the cells, with the site of each face; none where rounding has changed more than places.
     /// O(n), and O(k log k) for k edges that leave the window.
     pub(super) fn known_cells(&self, window: &Window) -> Option<(Subdivision, FaceMap<Option<VertexId>>)> {
-        // Nearly all corners and edges of the diagram lie in most windows.
+        // Nearly all corners and edges of the diagram lie in most windows; in most of them few edges leave the window.
+        let with_border = |count: usize| count + count / 16 + 64;
         let mut ends = Ends {
-            points: Vec::with_capacity(self.corners.len() + 4),
-            edges: Vec::with_capacity(self.edges.len() + 4),
+            points: Vec::with_capacity(with_border(self.corners.len())),
+            edges: Vec::with_capacity(with_border(self.edges.len())),
         };
         let mut number_of = vec![NONE; self.corners.len()];
         let mut at_border: Vec<(Point, u32)> = Vec::new();
