@@ -134,10 +134,10 @@ fn heaps(random: &mut Random, kind: &str) -> Vec<Point> {
                 "lines" => [(); 2].map(|()| level as f64).map(|x| x * random.below(200) as f64),
                 _ => [(); 2].map(|()| 32.0 * crate::families::unit(random)),
             };
-            points.extend((0..150).map(|_| place(random)).map(|[u, v]| Point::new(x + step * u, y + step * v)));
+            points.extend((0..60).map(|_| place(random)).map(|[u, v]| Point::new(x + step * u, y + step * v)));
         }
         // One place, again and again.
-        points.extend([Point::new(x, y); 60]);
+        points.extend([Point::new(x, y); 40]);
     }
     points
 }

@@ -238,8 +238,8 @@ impl Exact {
         }
     }
 
-    /// Whether each point that the cone sees of its portal, which `part` tells, is reached by a shorter path: straight along the portal, from an
-    /// endpoint to which the length of some path is known.
+    /// Whether each point that the cone sees of its portal is reached by a shorter path: straight along the portal, from an
+    /// endpoint to which the length of some path is known. `part` is asked for what is [`seen`] only if there is one.
     ///
     /// ```text
     ///   right endpoint v ●───a━━━p━━━━━b──────●   If v is outdone at b, the far end of what is seen, it is at each point p

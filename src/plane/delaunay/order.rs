@@ -14,7 +14,7 @@
 use crate::geometry::point::corners;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use std::cmp;
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// A direction in which points are divided.
@@ -36,7 +36,7 @@ impl Axis {
 
     /// Which of two points comes first in this direction.
     #[inline]
-    pub(super) fn compare(self, a: Point, b: Point) -> cmp::Ordering {
+    pub(super) fn compare(self, a: Point, b: Point) -> Ordering {
         match self {
             Self::X => left_to_right(a, b),
             Self::Y => left_to_right(Point::new(a.y, -a.x), Point::new(b.y, -b.x)),
@@ -102,9 +102,9 @@ pub(super) fn ordered(points: &[Point]) -> Ordered {
         std::mem::swap(&mut sites, &mut scratch);
     }
     let order = Ordered { sites, finer: Default::default(), repeated: Vec::new() };
-    let mut ordering = Ordering { order, scratch, kept: 0 };
-    ordering.cells(0..points.len(), &mut Vec::with_capacity(FINER + 1));
-    let Ordering { mut order, kept, .. } = ordering;
+    let mut sorting = Sorting { order, scratch, kept: 0 };
+    sorting.cells(0..points.len(), &mut Vec::with_capacity(FINER + 1));
+    let Sorting { mut order, kept, .. } = sorting;
     order.sites.truncate(kept);
     for keys in order.finer.iter_mut().filter(|keys| !keys.is_empty()) {
         keys.resize(kept, Ordered::NONE);
@@ -114,7 +114,7 @@ pub(super) fn ordered(points: &[Point]) -> Ordered {
 }
 
 /// The work of bringing what shares a cell into order.
-struct Ordering {
+struct Sorting {
     order: Ordered,
     /// As many sites, to sort with.
     scratch: Vec<Site>,
@@ -122,7 +122,7 @@ struct Ordering {
     kept: usize,
 }
 
-impl Ordering {
+impl Sorting {
     /// Goes through the cells of a grid whose points are sorted by their keys. `path`: the keys of the cells it lies in.
     fn cells(&mut self, range: Range<usize>, path: &mut Vec<u32>) {
         let mut start = range.start;
