@@ -231,7 +231,7 @@ mod tests {
         let table = Table::from_view(&Dcel::polygon(3).unwrap());
         let h = HalfEdgeId::new(2);
         let shown = |field: Field| Content::of(&table, Some(h.into()), field).to_string();
-        let row = table.half_edges[2].clone().unwrap();
+        let row = table.half_edges[2].unwrap();
         assert_eq!(shown(Field::Origin), row.origin.unwrap().to_string());
         assert_eq!(shown(Field::Twin), table.twin(h).unwrap().to_string());
         assert_eq!(shown(Field::Next), row.next.unwrap().to_string());
