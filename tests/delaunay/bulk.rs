@@ -127,7 +127,7 @@ fn heaps(random: &mut Random, kind: &str) -> Vec<Point> {
     let centres = [(); 3].map(|()| [(); 2].map(|()| random.below(1 << 10) as f64 / 1024.0));
     for [x, y] in centres {
         for level in 1..=4 {
-            // A power of two, so that nothing is rounded: 32 steps of a grid across.
+            // A power of two: points on a grid are not rounded.
             let step = 0.5_f64.powi(10 * level);
             let place = |random: &mut Random| match kind {
                 "grids" => [random.below(32) as f64, random.below(32) as f64],

@@ -274,7 +274,6 @@ fn pages_hold_what_they_say_and_nothing_runs() {
 
 #[test]
 fn what_is_still_to_do_is_open_in_a_page_and_what_is_wrong_is_not() {
-    let page = Format::Html.one(&report());
     for (verdict, class, sign) in [
         (Verdict::Passed, "yes", '✓'),
         (Verdict::Unattempted, "open", '○'),
@@ -291,7 +290,6 @@ fn what_is_still_to_do_is_open_in_a_page_and_what_is_wrong_is_not() {
         assert_eq!(signs, [sign.to_string()], "{verdict}");
         assert!(page.contains(&format!("<span class=\"{class}\">{sign} ")), "{verdict}: {page}");
     }
-    assert!(page.contains("○") && page.contains("✗"));
 }
 
 #[test]

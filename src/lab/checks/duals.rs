@@ -75,10 +75,9 @@ mod tests {
         let right = Table::from_view(&dcel);
         assert_eq!(representatives("", &right), None);
         assert_eq!(right.half_edges.get(cut.index()), Some(&None), "the cut is a gap in the numbers");
-        let elsewhere = (0..8).map(HalfEdgeId::new).find(|&h| {
-            right.origin(h) != Some(VertexId::new(0))
-                && right.face(h) != right.faces[1].as_ref().map(|_| FaceId::new(1))
-        });
+        let elsewhere = (0..8)
+            .map(HalfEdgeId::new)
+            .find(|&h| right.origin(h) != Some(VertexId::new(0)) && right.face(h) != Some(FaceId::new(1)));
         for (own, why) in [(Some(cut), "which was removed"), (elsewhere, "which does not start there")] {
             let mut wrong = right.clone();
             wrong.vertices[0].as_mut().unwrap().outgoing = own;
