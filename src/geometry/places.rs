@@ -10,12 +10,10 @@
 //!
 //! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
 
+use super::equal::FEW;
 use super::grouping::grouped;
 use super::point::{Point, corners};
 use super::predicates::sort_key;
-
-/// So many things are compared pair by pair; more are sorted.
-pub(crate) const FEW: usize = 12;
 
 /// A grid of columns and rows over points.
 struct Grid {
@@ -49,8 +47,11 @@ impl Grid {
 /// other from bottom to top.
 ///
 /// Cost: expected O(n) where points are spread over the plane, apart from the sort of the distinct points of each
-/// column; O(n log n) at worst.
+/// column; O(n log n) at worst. Points that come from left to right already cost O(n), and a sort of those above each other.
 pub(crate) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
+    if points.is_sorted_by(|p, q| p.x <= q.x) {
+        return above_each_other(points);
+    }
     let grid = Grid::new(points.iter().copied());
     let (starts, mut list) = grouped(grid.columns * grid.rows, points.len(), |i| grid.cell(points[i]));
     let key = |i: u32| {
@@ -87,6 +88,25 @@ pub(crate) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
     (first_of, by_place)
 }
 
+/// The same for points whose x does not fall.
+fn above_each_other(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
+    let mut first_of: Vec<u32> = (0..points.len() as u32).collect();
+    let mut by_place = Vec::with_capacity(points.len());
+    let mut column: Vec<(u64, u32)> = Vec::new();
+    let mut start = 0;
+    for column_of in points.chunk_by(|p, q| p.x >= q.x) {
+        column.clear();
+        column.extend((start..).zip(column_of).map(|(i, p)| (sort_key(p.y), i)));
+        start += column_of.len() as u32;
+        column.sort_unstable();
+        for same in column.chunk_by(|a, b| a.0 == b.0) {
+            by_place.push(same[0].1);
+            same.iter().for_each(|&(_, i)| first_of[i as usize] = same[0].1);
+        }
+    }
+    (first_of, by_place)
+}
+
 /// The same for the points of one cell, which are many: by a sort. Gives the first one of each place to `found`.
 fn of_crowd<K: Ord>(cell: &mut [u32], key: impl Fn(u32) -> K, first_of: &mut [u32], mut found: impl FnMut(u32)) {
     cell.sort_unstable_by_key(|&i| (key(i), i));
@@ -111,30 +131,6 @@ pub(crate) fn from_left_to_right<T: Copy + Ord>(
         }
     }
     order.into_iter().map(|(_, p, thing)| (p, thing)).collect()
-}
-
-/// For each point the number of the first one with the same coordinates, where -0 = 0. Cells are those of the first two.
-///
-/// Cost: expected O(n) where points are spread over the plane of their first two coordinates; O(n log n) at worst.
-#[cfg(feature = "io")]
-pub(crate) fn first_of_equals<const N: usize>(points: &[[f64; N]]) -> Vec<u32> {
-    let flat = |p: &[f64; N]| Point::new(p[0], p[1]);
-    let grid = Grid::new(points.iter().map(flat));
-    let (starts, mut list) = grouped(grid.columns * grid.rows, points.len(), |i| grid.cell(flat(&points[i])));
-    let key = |i: u32| points[i as usize].map(sort_key);
-    let mut first_of: Vec<u32> = vec![0; points.len()];
-    for ends in starts.windows(2) {
-        let cell = &mut list[ends[0] as usize..ends[1] as usize];
-        if cell.len() > FEW {
-            of_crowd(cell, key, &mut first_of, |_| {});
-            continue;
-        }
-        for (at, &i) in cell.iter().enumerate() {
-            let same = cell[..at].iter().find(|&&other| key(other) == key(i));
-            first_of[i as usize] = same.map_or(i, |&other| first_of[other as usize]);
-        }
-    }
-    first_of
 }
 
 #[cfg(test)]
@@ -174,17 +170,8 @@ mod tests {
                 });
             }
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}");
-            #[cfg(feature = "io")]
-            {
-                let pairs: Vec<[f64; 2]> = points.iter().map(|p| [p.x, p.y]).collect();
-                assert_eq!(first_of_equals(&pairs), by_one_map(&points).0, "seed {seed}");
-                // In space, with few heights over each place.
-                let lifted: Vec<[f64; 3]> =
-                    points.iter().map(|p| [p.x, p.y, [-0.0, 0.0, 1.0][next(3) as usize]]).collect();
-                let here = |p: [f64; 3]| move |q: &[f64; 3]| q.partial_cmp(&p) == Some(std::cmp::Ordering::Equal);
-                let equal = |i: usize| lifted.iter().position(here(lifted[i])).unwrap_or(i) as u32;
-                assert_eq!(first_of_equals(&lifted), (0..lifted.len()).map(equal).collect::<Vec<_>>(), "seed {seed}");
-            }
+            points.sort_by(|p, q| p.x.total_cmp(&q.x));
+            assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}, from left to right");
         }
     }
 }

@@ -82,6 +82,12 @@ impl From<[f64; 2]> for Point {
     }
 }
 
+impl From<Point> for [f64; 2] {
+    fn from(Point { x, y }: Point) -> Self {
+        [x, y]
+    }
+}
+
 impl From<(f64, f64)> for Point {
     fn from((x, y): (f64, f64)) -> Self {
         Self { x, y }

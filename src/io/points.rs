@@ -18,7 +18,7 @@ use super::room::{reserved, too_little};
 use super::soup::{SegmentSoup, SoupBuilder, check_counts};
 use super::text::{Scanner, Syntax, note_of_the_end};
 use super::triangle;
-use crate::geometry::places::first_of_equals;
+use crate::geometry::equal::first_of_equals;
 use crate::ids::VertexId;
 use crate::plane::Point;
 use crate::topology::View;

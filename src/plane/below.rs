@@ -9,44 +9,58 @@
 //! ```
 
 use super::Point;
-use super::sweep::{NOTHING, is_above, sweep_in_order};
+use super::sweep::{NOTHING, is_above, sweep, sweep_in_order};
 use crate::geometry::predicates::{left_to_right, orientation};
 
 /// So many edges above and below points are looked at for each edge; a sweep is quicker than more of them.
 const MOST: usize = 4;
 
 /// For each point asked for, the edge directly below it, else [`NOTHING`]; for all other points some answer. The edges meet at
-/// common ends only; `by_place` holds all points from left to right.
+/// common ends only; `by_place` holds all points from left to right, if their order is known.
 ///
-/// Cost: O(n + k) for n edges that pass above or below points asked for k times; O(n log n) where k is more than a few n.
+/// Cost: O(n + k) for n edges that pass above or below points asked for k times, with another O(n log m) for m points asked
+/// for if the order is not known; O(n log n) where k is more than a few n.
 pub(super) fn edges_below(
     points: &[Point],
     edges: &[[u32; 2]],
-    by_place: &[u32],
+    by_place: Option<&[u32]>,
     asked: impl Iterator<Item = u32>,
 ) -> Vec<u32> {
     let mut below = vec![NOTHING; points.len()];
-    let mut is_asked = vec![false; points.len()];
-    asked.for_each(|p| is_asked[p as usize] = true);
+    let compare = |&p: &u32, &q: &u32| left_to_right(points[p as usize], points[q as usize]);
+    let mut asked: Vec<u32> = asked.collect();
+    asked.sort_unstable_by(compare);
+    asked.dedup();
     // Nothing lies below the first point of all.
-    by_place.iter().take(1).for_each(|&p| is_asked[p as usize] = false);
-    let asked: Vec<u32> = by_place.iter().copied().filter(|&p| is_asked[p as usize]).collect();
+    let first = (0..points.len() as u32).min_by(compare);
+    asked.retain(|&p| Some(p) != first);
     if asked.is_empty() {
         return below;
     }
-    let mut count = vec![0_u32; points.len()];
-    let mut sum = 0;
-    for &p in by_place {
-        sum += u32::from(is_asked[p as usize]);
-        count[p as usize] = sum;
-    }
+    // By point, how many of those asked for come up to it.
+    let count = match by_place {
+        Some(by_place) => {
+            let mut count = vec![0; points.len()];
+            let mut sum = 0;
+            for p in by_place {
+                sum += u32::from(asked.get(sum as usize) == Some(p));
+                count[*p as usize] = sum;
+            }
+            count
+        }
+        None => (0..points.len() as u32).map(|p| asked.partition_point(|q| compare(q, &p).is_le()) as u32).collect(),
+    };
     let passed = |ends: &[u32; 2]| {
         let [a, b] = ends.map(|p| count[p as usize]);
         a.min(b) as usize..a.max(b) as usize
     };
     let work: usize = edges.iter().map(|ends| passed(ends).len()).sum();
     if work > MOST * edges.len() {
-        return sweep_in_order(points, edges, by_place, false, |_| ()).below;
+        return match by_place {
+            Some(by_place) => sweep_in_order(points, edges, by_place, false, |_| ()),
+            None => sweep(points, edges, &asked, false),
+        }
+        .below;
     }
     let rightwards = |edge: [u32; 2]| {
         let [a, b] = edge.map(|p| points[p as usize]);
@@ -89,12 +103,14 @@ mod tests {
             let all = sweep_in_order(&points, &edges, &by_place, false, |_| ()).below;
             let share = 1 + next(12);
             let asked: Vec<u32> = by_place.iter().copied().filter(|_| next(share) == 0).collect();
-            let some = edges_below(&points, &edges, &by_place, asked.iter().copied());
-            for p in asked {
-                assert_eq!(some[p as usize], all[p as usize], "seed {seed}, point {p}");
-                found += u32::from(some[p as usize] != NOTHING);
+            for known in [Some(&by_place[..]), None] {
+                let some = edges_below(&points, &edges, known, asked.iter().copied());
+                for &p in &asked {
+                    assert_eq!(some[p as usize], all[p as usize], "seed {seed}, point {p}");
+                    found += u32::from(some[p as usize] != NOTHING);
+                }
+                swept += u32::from(some == all);
             }
-            swept += u32::from(some == all);
         }
         assert!(found > 1_000 && swept > 20 && swept < 380, "{found} {swept}");
     }

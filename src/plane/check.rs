@@ -1,7 +1,7 @@
 //! The invariants of the plane: what must hold of the positions, beside the invariants of the structure.
 //!
 //! G1 to G3 are found by one sweep, which stops at the first fault; the others are only asked when they hold. Where most
-//! faces are convex, `proof.rs` shows with less that nothing is broken.
+//! faces are convex or have few sides, `proof.rs` shows with less that nothing is broken.
 
 use super::cycle::by_direction;
 use super::cycle::encloses;

@@ -42,17 +42,22 @@ pub fn is_counter_clockwise(corners: &[Point]) -> bool {
 /// one line, `None` if there is no convex region. Straight corners may be among its corners.
 ///
 /// Cost: O(corners).
-pub(super) fn convex_direction(corners: impl Iterator<Item = Point> + Clone) -> Option<Ordering> {
+pub(super) fn convex_direction(corners: impl Iterator<Item = Point>) -> Option<Ordering> {
     let (mut direction, mut changes) = (Ordering::Equal, 0);
-    for [u, v, w] in windows(corners) {
-        let turn = orientation(u, v, w);
+    let mut rest = corners;
+    let (Some(first), Some(second)) = (rest.next(), rest.next()) else { return Some(direction) };
+    let (mut u, mut v, mut way) = (first, second, left_to_right(first, second));
+    rest.chain([first, second]).try_for_each(|w| {
+        let (turn, next_way) = (orientation(u, v, w), left_to_right(v, w));
         if turn.is_ne() && turn == direction.reverse() {
             return None;
         }
         direction = direction.then(turn);
         // With turns to one side only, it is convex if it runs from left to right and back just once.
-        changes += u32::from(left_to_right(u, v) != left_to_right(v, w));
-    }
+        changes += u32::from(way != next_way);
+        (u, v, way) = (v, w, next_way);
+        Some(())
+    })?;
     (direction.is_eq() || changes == 2).then_some(direction)
 }
 

@@ -1,10 +1,10 @@
-//! A short proof that nothing is broken in the plane: convex faces that fit together lie beside each other, so that only
+//! A short proof that nothing is broken in the plane: simple faces that fit together lie beside each other, so that only
 //! what bounds them all needs a sweep.
 //!
 //! ```text
-//!    ●━━━●━━━●━━━●       Edges between two convex faces are inner ones; all others (━) bound regions of convex faces.
-//!    ┃  ╱│  ╱│  ╱┃       What is looked at:
-//!    ●─╱─●━━━●╱──●         1. each of these faces: convex, counter-clockwise, one cycle
+//!    ●━━━●━━━●━━━●       A face is simple if its border can be seen at once to be a simple polygon: it is convex, or its
+//!    ┃  ╱│  ╱│  ╱┃       sides are few. Edges between two of them are inner ones; all others (━) bound regions of them.
+//!    ●─╱─●━━━●╱──●         1. each simple face: a simple polygon, counter-clockwise, one cycle
 //!    ┃╱  ┃   ┃  ╱┃         2. each vertex: directions once round
 //!    ●───●━━━●╱──●         3. the other edges: no two meet; the cycles of all other faces lie where they should (G5 to G7)
 //!    ┃  ╱│  ╱│  ╱┃
@@ -17,16 +17,16 @@
 //!
 //! - The unbounded part is `f0`: no region covers it, so that the cycles round it have other faces, and those are `f0` by 3.
 //! - Every other part is covered: the edges of the cycle round it have a face on that side. If it is one that is not
-//!   convex, it is that part by 3; if it belongs to a region, the region covers the part.
+//!   simple, it is that part by 3; if it belongs to a region, the region covers the part.
 //! - The areas of all bounded faces add up to that of all bounded parts: each edge adds to the area on its left what it takes
 //!   from that on its right, and what is left over are the cycles of `f0`.
 //!
 //! So every place is covered once, but for the edges: no two faces overlap, and no vertex or edge of the inside of a region
 //! lies anywhere else.
 
-use super::Subdivision;
-use super::cycle::convex_direction;
+use super::cycle::{convex_direction, encloses};
 use super::sweep::sweep;
+use super::{Point, Subdivision};
 use crate::geometry::predicates::orientation;
 use crate::ids::{EdgeId, FaceMap, HalfEdgeId, VertexId};
 use std::cmp::Ordering;
@@ -37,43 +37,54 @@ impl Subdivision {
     /// Cost: O(n) with n edges, and O(k log k) for the k of them that are no inner ones. Where those are more than half, it
     /// ends after a look at the faces.
     pub(super) fn is_proved_plane(&self) -> bool {
-        Convex::of(self).is_some_and(|convex| 2 * convex.others.len() <= self.dcel.edge_count() && convex.is_plane())
+        let turn_once = || self.dcel.vertices().all(|v| self.turns_once(v));
+        Simple::of(self).is_some_and(|simple| simple.are_most() && turn_once() && simple.is_plane())
+    }
+
+    /// The same where the half-edges round each vertex are known to be in the order of their angles.
+    pub(super) fn is_proved_by_faces(&self) -> bool {
+        Simple::of(self).is_some_and(|simple| simple.are_most() && simple.is_plane())
     }
 }
 
-/// The convex faces, and the edges that are not between two of them.
-struct Convex<'a> {
+/// Faces that are not convex are looked at one by one if they have not more sides than this.
+const FEW: usize = 24;
+
+/// The simple faces, and the edges that are not between two of them.
+struct Simple<'a> {
     s: &'a Subdivision,
     faces: FaceMap<bool>,
     others: Vec<EdgeId>,
 }
 
-impl<'a> Convex<'a> {
+impl<'a> Simple<'a> {
     /// `None` if there is no inner edge.
     fn of(s: &'a Subdivision) -> Option<Self> {
         let mut faces = FaceMap::filled(s.dcel.face_bound(), false);
         for f in s.dcel.faces().filter(|&f| f != s.outer_face() && s.inner_components(f).is_empty()) {
-            faces[f] = s.dcel.half_edge(f).is_some_and(|h| is_convex_cycle(s, h));
+            faces[f] = s.dcel.half_edge(f).is_some_and(|h| is_simple_cycle(s, h));
         }
-        let mut convex = Self { s, faces, others: Vec::new() };
-        convex.others = s.dcel.edges().filter(|&e| !convex.is_inner(e)).collect();
-        (convex.others.len() < s.dcel.edge_count()).then_some(convex)
+        let mut simple = Self { s, faces, others: Vec::new() };
+        simple.others = s.dcel.edges().filter(|&e| !simple.is_inner(e)).collect();
+        (simple.others.len() < s.dcel.edge_count()).then_some(simple)
     }
 
-    fn is_of_convex(&self, h: HalfEdgeId) -> bool {
+    fn is_of_simple(&self, h: HalfEdgeId) -> bool {
         self.faces[self.s.dcel.face(h)]
     }
 
     fn is_inner(&self, e: EdgeId) -> bool {
-        e.half_edges().into_iter().all(|h| self.is_of_convex(h))
+        e.half_edges().into_iter().all(|h| self.is_of_simple(h))
     }
 
-    /// Points 2 and 3; 1 was seen to.
+    /// Whether at least half of the edges are inner ones.
+    fn are_most(&self) -> bool {
+        2 * self.others.len() <= self.s.dcel.edge_count()
+    }
+
+    /// Point 3; 1 was seen to, and 2 has to be.
     fn is_plane(&self) -> bool {
         let s = self.s;
-        if !s.dcel.vertices().all(|v| s.turns_once(v)) {
-            return false;
-        }
         let ends: Vec<[u32; 2]> = self.others.iter().map(|&e| s.edge_ends(e).map(VertexId::number)).collect();
         let isolated = s.dcel.vertices().filter(|&v| s.dcel.outgoing(v).is_none()).map(VertexId::number);
         let swept = sweep(s.points.as_slice(), &ends, &isolated.collect::<Vec<_>>(), true);
@@ -88,19 +99,59 @@ impl<'a> Convex<'a> {
     }
 }
 
-fn is_convex_cycle(s: &Subdivision, h: HalfEdgeId) -> bool {
-    let [second, third] = [s.dcel.next(h), s.dcel.next(s.dcel.next(h))];
-    if s.dcel.next(third) == h && third != h {
-        let [a, b, c] = [h, second, third].map(|h| s.points[s.dcel.origin(h)]);
-        return orientation(a, b, c).is_gt();
+/// Whether the cycle of `h` is seen at once to run round a simple polygon, counter-clockwise.
+///
+/// Cost: O(sides), and O(k²) for k sides, at most [`FEW`], of a polygon that is not convex.
+fn is_simple_cycle(s: &Subdivision, h: HalfEdgeId) -> bool {
+    let mut corners = [Point::new(0.0, 0.0); FEW];
+    let mut count = 0;
+    for corner in s.corner_points(h) {
+        if count == FEW {
+            return convex_direction(s.corner_points(h)) == Some(Ordering::Greater);
+        }
+        corners[count] = corner;
+        count += 1;
     }
-    convex_direction(s.corner_points(h)) == Some(Ordering::Greater)
+    match &corners[..count] {
+        &[a, b, c] => orientation(a, b, c).is_gt(),
+        corners => match convex_direction(corners.iter().copied()) {
+            Some(direction) => direction.is_gt(),
+            None => encloses(corners.iter().copied()) && have_sides_apart(corners),
+        },
+    }
+}
+
+/// Whether no two sides of a polygon have a point in common but the corner between them. It has four sides at least, and
+/// [`FEW`] at most: where a side runs back over its neighbour, the side behind one of them touches the other. Exact.
+fn have_sides_apart(corners: &[Point]) -> bool {
+    let count = corners.len();
+    let side = |i: usize| [corners[i], corners[if i + 1 == count { 0 } else { i + 1 }]];
+    let mut boxes = [[Point::new(0.0, 0.0); 2]; FEW];
+    for (i, bounds) in boxes[..count].iter_mut().enumerate() {
+        let [a, b] = side(i);
+        *bounds = [Point::new(a.x.min(b.x), a.y.min(b.y)), Point::new(a.x.max(b.x), a.y.max(b.y))];
+    }
+    let is_on_one_side = |[a, b]: [Point; 2], [c, d]: [Point; 2]| {
+        let side = orientation(a, b, c);
+        side.is_ne() && side == orientation(a, b, d)
+    };
+    (0..count).all(|i| {
+        let [a, b] = side(i);
+        // The last side is a neighbour of the first one.
+        let last = if i == 0 { count - 1 } else { count };
+        let [low, high] = boxes[i];
+        (i + 2..last).all(|j| {
+            let [other_low, other_high] = boxes[j];
+            let is_beside =
+                (high.x < other_low.x) | (other_high.x < low.x) | (high.y < other_low.y) | (other_high.y < low.y);
+            is_beside || is_on_one_side([a, b], side(j)) || is_on_one_side(side(j), [a, b])
+        })
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plane::Point;
     use crate::plane::sweep::tests::numbers;
     use crate::topology::PolygonList;
 
@@ -128,10 +179,14 @@ mod tests {
         s
     }
 
+    fn is_shown(s: &Subdivision) -> bool {
+        s.dcel.vertices().all(|v| s.turns_once(v)) && Simple::of(s).unwrap().is_plane()
+    }
+
     /// Both ways give the same, and what is shown is shown at least for all that is right and has an inner edge.
     fn agree(s: &Subdivision, context: &str) -> bool {
         let swept = s.swept_violations();
-        let shown = Convex::of(s).map(|convex| convex.is_plane());
+        let shown = Simple::of(s).map(|_| is_shown(s));
         assert!(shown.is_none_or(|shown| shown == swept.is_empty()), "{context}: {shown:?}, {swept:?}\n{s:?}");
         shown.is_some()
     }
@@ -161,16 +216,16 @@ mod tests {
         let apart = (0..).zip(&points).map(|(i, p)| if i < 4 { *p } else { Point::new(p.x + 20.0, p.y) }).collect();
         let s = Subdivision::from_triangles(apart, &[[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]);
         let mut s = s.unwrap_or_else(|error| panic!("{error}"));
-        assert!(Convex::of(&s).unwrap().is_plane());
+        assert!(is_shown(&s));
         for (v, &p) in points.iter().enumerate() {
             s.points[VertexId::new(v as u32)] = p;
         }
-        assert!(!Convex::of(&s).unwrap().is_plane() && !s.swept_violations().is_empty());
+        assert!(!is_shown(&s) && !s.swept_violations().is_empty());
         // The smaller one inside the larger one: no two edges meet.
         for (v, p) in points.iter().enumerate().skip(4) {
             s.points[VertexId::new(v as u32)] = Point::new(0.5 + p.x / 8.0, 0.25 + p.y / 8.0);
         }
-        assert!(!Convex::of(&s).unwrap().is_plane() && !s.swept_violations().is_empty());
+        assert!(!is_shown(&s) && !s.swept_violations().is_empty());
     }
 
     /// An island in the hole of a ring of convex faces, put where a face of the ring is.
@@ -187,12 +242,12 @@ mod tests {
         points.extend([at(4, 4), at(5, 4), at(4, 5)]);
         faces.push_face(&[8, 9, 10]);
         let mut s = Subdivision::from_polygons(points, &faces).unwrap_or_else(|error| panic!("{error}"));
-        assert!(Convex::of(&s).unwrap().is_plane() && s.swept_violations().is_empty());
+        assert!(is_shown(&s) && s.swept_violations().is_empty());
         for (v, p) in
             (8..11).map(VertexId::new).zip([Point::new(1.0, 0.25), Point::new(1.5, 0.25), Point::new(1.0, 0.5)])
         {
             s.points[v] = p;
         }
-        assert!(!Convex::of(&s).unwrap().is_plane() && !s.swept_violations().is_empty());
+        assert!(!is_shown(&s) && !s.swept_violations().is_empty());
     }
 }

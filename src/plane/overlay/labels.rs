@@ -45,16 +45,13 @@ impl Sources {
     /// a Q | P between. Each step into a face but the last is followed by a step out of it, so what remains is a step
     /// out of the first face and one into the last; nothing, if they are the same.
     fn across(&self, source: &Subdivision, h: HalfEdgeId, label: FaceId) -> FaceId {
-        let even = h == h.edge().half_edges()[0];
-        let sides = |g: HalfEdgeId| {
-            let [left, right] = [g, g.twin()].map(|g| source.dcel.face(g));
-            if even { [left, right] } else { [right, left] }
-        };
-        match self.along(h.edge()) {
+        let along_h = |g: HalfEdgeId| if h == h.edge().half_edges()[0] { g } else { g.twin() };
+        match self.by_edge.of(h.edge().index()) {
             [] => label,
-            &[g] => sides(g)[1],
+            &[g] => source.dcel.face(along_h(g).twin()),
             list => {
-                let steps = list.iter().map(|&g| sides(g)).flat_map(|[left, right]| [(left, -1), (right, 1)]);
+                let sides = |g: HalfEdgeId| [g, g.twin()].map(|g| source.dcel.face(g));
+                let steps = list.iter().map(|&g| sides(along_h(g))).flat_map(|[left, right]| [(left, -1), (right, 1)]);
                 let mut steps: Vec<(FaceId, i32)> = steps.collect();
                 steps.sort_unstable();
                 let into = |steps: &&[(FaceId, i32)]| steps.iter().map(|step| step.1).sum::<i32>() > 0;
@@ -65,28 +62,31 @@ impl Sources {
 }
 
 impl Subdivision {
-    /// The face of the source that each face lies in, and the faces for which ways disagree. O(E).
-    pub(super) fn carry_labels(&self, source: &Self, from: &Sources) -> (FaceMap<FaceId>, Vec<FaceId>) {
-        let mut labels = FaceMap::filled(self.dcel.face_bound(), None);
+    /// By face the faces of a and of b that it lies in, and the faces for which ways disagree, in increasing order. O(E).
+    pub(super) fn carry_labels(&self, sources: [&Self; 2], from: [&Sources; 2]) -> ([FaceMap<FaceId>; 2], Vec<FaceId>) {
+        let outer = sources.map(Self::outer_face);
+        let mut is_known = FaceMap::filled(self.dcel.face_bound(), false);
+        let mut labels = FaceMap::filled(self.dcel.face_bound(), outer);
         let mut unsettled = Vec::new();
-        labels[self.outer_face()] = Some(source.outer_face());
         let mut queue = vec![self.outer_face()];
+        is_known[self.outer_face()] = true;
         while let Some(f) = queue.pop() {
-            let Some(label) = labels[f] else { continue };
+            let [of_a, of_b] = labels[f];
             for h in self.all_half_edges(f) {
                 let there = self.dcel.face(h.twin());
-                let expected = from.across(source, h, label);
-                match labels[there] {
-                    None => {
-                        labels[there] = Some(expected);
-                        queue.push(there);
-                    }
-                    Some(known) if known != expected => unsettled.push(there),
-                    Some(_) => {}
+                let expected = [from[0].across(sources[0], h, of_a), from[1].across(sources[1], h, of_b)];
+                if !is_known[there] {
+                    is_known[there] = true;
+                    labels[there] = expected;
+                    queue.push(there);
+                } else if labels[there] != expected {
+                    unsettled.push(there);
                 }
             }
         }
-        let outer = source.outer_face();
-        (labels.into_vec().into_iter().map(|label| label.unwrap_or(outer)).collect::<Vec<_>>().into(), unsettled)
+        unsettled.sort_unstable();
+        unsettled.dedup();
+        let labels = labels.into_vec();
+        ([0, 1].map(|source| labels.iter().map(|both| both[source]).collect::<Vec<_>>().into()), unsettled)
     }
 }

@@ -142,11 +142,7 @@ impl Subdivision {
             [places_of_a, places_of_b].map(|list| list.into_iter().map(place).collect::<Vec<_>>().into());
         let Arranged { subdivision, crossings, moved, rounds, displaced, displaced_points, grid, farthest, .. } =
             arranged;
-        let (face_of_a, mut unsettled) = subdivision.carry_labels(self, &edges_of_a);
-        let (face_of_b, more) = subdivision.carry_labels(other, &edges_of_b);
-        unsettled.extend(more);
-        unsettled.sort_unstable();
-        unsettled.dedup();
+        let ([face_of_a, face_of_b], unsettled) = subdivision.carry_labels([self, other], [&edges_of_a, &edges_of_b]);
         Ok(Overlay {
             subdivision,
             face_of_a,

@@ -6,7 +6,7 @@ use super::crossed::Cuts;
 use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
-use super::settled::where_nothing_meets;
+use super::settled::{proved_by_faces, where_nothing_meets};
 use super::split::split as split_all;
 use super::trace::{Seen, look, trace};
 use super::{ArrangeOptions, Arranged};
@@ -38,11 +38,11 @@ impl Input {
     pub(super) fn segments(segments: &[[Point; 2]]) -> Self {
         let zero = without_length(segments.len(), |i| segments[i][0] == segments[i][1], |i| segments[i][0]);
         let (distinct, names) = if zero.is_empty() {
-            (Distinct::new(segments.as_flattened()), Vec::new())
+            (Distinct::without_order(segments.as_flattened()), Vec::new())
         } else {
             let long = || segments.iter().enumerate().filter(|(_, s)| s[0] != s[1]);
             let ends: Vec<Point> = long().flat_map(|(_, &ends)| ends).collect();
-            (Distinct::new(&ends), long().map(|(i, _)| i as u32).collect())
+            (Distinct::without_order(&ends), long().map(|(i, _)| i as u32).collect())
         };
         let long = distinct.number.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
         Self {
@@ -59,12 +59,22 @@ impl Input {
 
     /// Points, and segments by the numbers of their ends.
     pub(super) fn graph(points: &[Point], segments: &[[u32; 2]], options: &ArrangeOptions) -> Self {
-        let distinct = Distinct::new(points);
-        let number = &distinct.number;
+        let distinct = Distinct::without_order(points);
         let mut faults = Vec::new();
         if !options.merge && !options.split && distinct.points.len() < points.len() {
-            faults = super::graph::same_places(points, number, options.most_faults.saturating_add(1));
+            faults = super::graph::same_places(points, &distinct.number, options.most_faults.saturating_add(1));
         }
+        Self { faults, ..Self::of(distinct, points, segments) }
+    }
+
+    /// The same for two graphs one behind the other: the first so many segments are known to meet at common ends only, and
+    /// so are the others. What is equal is joined.
+    pub(super) fn two_graphs(points: &[Point], segments: &[[u32; 2]], first: usize) -> Self {
+        Self { first: Some(first), ..Self::of(Distinct::without_order(points), points, segments) }
+    }
+
+    fn of(distinct: Distinct, points: &[Point], segments: &[[u32; 2]]) -> Self {
+        let number = &distinct.number;
         let ends = |i: usize| segments[i].map(|p| number[p as usize]);
         let has_length = |i: &usize| {
             let [a, b] = ends(*i);
@@ -77,12 +87,13 @@ impl Input {
         } else {
             (0..segments.len()).filter(has_length).map(|i| i as u32).collect()
         };
-        Self { count: segments.len(), long, names, zero, first: None, points_given: true, faults, distinct }
+        let count = segments.len();
+        Self { count, long, names, zero, first: None, points_given: true, faults: Vec::new(), distinct }
     }
 
-    /// The same; the first so many segments are known to meet at common ends only, and so are the others.
-    pub(super) fn two_graphs(self, first: usize) -> Self {
-        Self { first: Some(first), ..self }
+    /// Whether two graphs have no point in common: then they have no edge in common either.
+    fn are_apart(&self) -> bool {
+        self.first.is_some() && self.distinct.points.len() == self.distinct.number.len()
     }
 
     /// By edge a bit for the first segments and one for the others, if each of them are known to meet at common ends only.
@@ -107,15 +118,19 @@ fn without_length(count: usize, is_point: impl Fn(usize) -> bool, at: impl Fn(us
 
 pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arranged, SegmentsError> {
     let mut repeated = Vec::new();
-    let Single { edges, half } = Single::new(input.distinct.points.len(), &input.long, |second, first| {
-        repeated.push((input.name(second as usize), input.name(first as usize)));
-    });
+    let Single { edges, half } = if input.are_apart() {
+        Single::as_given(std::mem::take(&mut input.long))
+    } else {
+        Single::new(input.distinct.points.len(), &input.long, |second, first| {
+            repeated.push((input.name(second as usize), input.name(first as usize)));
+        })
+    };
     if !(options.merge || options.split) {
         input.faults.extend(input.zero.iter().map(|&(segment, at)| SegmentFault::ZeroLength { segment, at }));
         input.faults.extend(repeated.iter().map(|&(second, first)| SegmentFault::Repeated { first, second }));
     }
     let points = std::mem::take(&mut input.distinct.points);
-    let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
+    let mut graph = Graph { points, edges, order: std::mem::take(&mut input.distinct.order) };
     let mut given = graph.points.len();
     let mut pieces = None;
     let grid = if options.split { options.grid.map(|size| checked(size, &graph.points)).transpose()? } else { None };
@@ -134,8 +149,11 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         Some(cuts) if cuts.is_empty() => (Split::none(whole), where_nothing_meets(&graph)?),
         Some(cuts) => split_all(&mut graph, None, Some(cuts))?,
         None => {
-            let seen = look(&graph)?;
-            if options.split && (seen.intersection.is_some() || grid.is_some()) {
+            let seen = match proved_by_faces(&mut graph)? {
+                Some(made) => Seen::Made(Box::new(made)),
+                None => look(&graph)?,
+            };
+            if options.split && (seen.intersection().is_some() || grid.is_some()) {
                 pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));
                 split_all(&mut graph, grid, None)?
             } else {
@@ -157,7 +175,7 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         displaced = worst(snapped.displaced);
         grid = Some(snapped.grid.size());
     }
-    let subdivision = trace(graph, seen)?;
+    let subdivision = trace(&mut graph, seen)?;
     let collapsed = (0..chains.spans.len()).filter(|&i| chains.spans[i].is_empty()).map(|i| i as u32);
     let zero_length: Vec<u32> = input.zero.into_iter().map(|(segment, _)| segment).collect();
     Ok(Arranged {
@@ -192,7 +210,7 @@ fn refuse(input: &Input, half: &[u32], graph: &Graph, seen: &Seen, limit: usize)
     let mut faults = input.faults.clone();
     let mut more = faults.len() > limit;
     faults.truncate(limit);
-    if seen.intersection.is_some() && !more {
+    if seen.intersection().is_some() && !more {
         // The first segment with the ends of an edge gives it its name.
         let mut names = vec![0; graph.edges.len()];
         for (i, &h) in half.iter().enumerate().rev() {

@@ -72,7 +72,7 @@ struct Lines<'a> {
 impl<'a> Lines<'a> {
     fn new(graph: &'a Graph) -> Self {
         let mut rank = vec![0; graph.points.len()];
-        graph.by_place.iter().zip(0..).for_each(|(&p, i)| rank[p as usize] = i);
+        graph.by_place().iter().zip(0..).for_each(|(&p, i)| rank[p as usize] = i);
         Self { points: &graph.points, edges: rightwards(&graph.points, &graph.edges), rank }
     }
 
@@ -157,7 +157,7 @@ impl<'a> Lines<'a> {
                 let backwards = graph.edges[e as usize] != self.edges[e as usize];
                 stretches[e as usize] = Stretch { range: place(left)..place(right), backwards };
             }
-            let point = |rank: u32| graph.by_place[rank as usize];
+            let point = |rank: u32| graph.by_place()[rank as usize];
             runs.extend(ends.windows(2).map(|pair| [point(pair[0]), point(pair[1])]));
         }
         for (stretch, &ends) in stretches.iter_mut().zip(&graph.edges) {
@@ -251,10 +251,10 @@ mod tests {
 
     fn graph(segments: &[[(i64, i64); 2]]) -> Graph {
         let ends: Vec<Point> = segments.iter().flatten().map(|&(x, y)| Point::new(x as f64, y as f64)).collect();
-        let Distinct { points, by_place, number } = Distinct::new(&ends);
+        let Distinct { points, order, number } = Distinct::new(&ends);
         let given: Vec<[u32; 2]> = number.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
         let edges = Single::new(points.len(), &given, |_, _| {}).edges;
-        Graph { points, edges, by_place }
+        Graph { points, edges, order }
     }
 
     /// The chain of points of an edge.

@@ -9,13 +9,13 @@
 //!
 //! Three edges through one point would be one cut, not three: they are left to the sweep.
 
+use super::angles::sort_by;
 use super::graph::Graph;
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::{left_to_right, sort_key};
 use crate::plane::Point;
 use crate::plane::meet::{Crossed, Meetings, NoMeetings, is_moved, meetings, placed as placed_at};
 use crate::plane::sweep::rightwards;
-use std::cmp::Ordering;
 
 /// The cuts of one round.
 pub(super) struct Cuts {
@@ -139,9 +139,4 @@ fn exactly(some: &mut [(u64, u32)], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Op
     let sorted: Vec<(u64, u32)> = places.iter().map(|&place| some[place as usize]).collect();
     some.copy_from_slice(&sorted);
     are_different.then_some(())
-}
-
-/// Sorts by comparisons that take much longer than the sort.
-pub(super) fn sort_by(list: &mut [u32], compare: &dyn Fn(u32, u32) -> Ordering) {
-    list.sort_unstable_by(|&a, &b| compare(a, b));
 }

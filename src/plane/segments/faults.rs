@@ -18,7 +18,7 @@ pub(super) fn all_faults(
     let edges = rightwards(&graph.points, &graph.edges);
     let mut faults = Faults { graph, edges: &edges, found: Vec::new(), limit, names };
     let stopped =
-        visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| faults.at(event)).is_break();
+        visit_intersections(&graph.points, &graph.edges, graph.by_place(), |event| faults.at(event)).is_break();
     (faults.found, stopped)
 }
 

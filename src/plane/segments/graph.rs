@@ -8,18 +8,35 @@
 //! Equal points are found in cells of a grid (`geometry/places.rs`); their order from left to right serves the sweep.
 
 use super::error::SegmentFault;
+use crate::geometry::equal::{FEW, NONE, equals_among, first_of_equals};
 use crate::geometry::grouping::grouped;
-use crate::geometry::places::{FEW, first_at_each_place};
+use crate::geometry::places::first_at_each_place;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
+use std::cell::OnceCell;
 
 /// A straight-line graph: distinct points, and edges by the numbers of their ends.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Graph {
     pub(super) points: Vec<Point>,
     pub(super) edges: Vec<[u32; 2]>,
-    /// The points from left to right, those above each other from bottom to top.
-    pub(super) by_place: Vec<u32>,
+    pub(super) order: Order,
+}
+
+/// The numbers of distinct points from left to right, those above each other from bottom to top: known, or to be found when
+/// it is asked for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Order(OnceCell<Vec<u32>>);
+
+impl Order {
+    pub(super) fn known(by_place: Vec<u32>) -> Self {
+        Self(OnceCell::from(by_place))
+    }
+
+    /// The order, if it is known.
+    pub(super) fn if_known(&self) -> Option<&[u32]> {
+        self.0.get().map(Vec::as_slice)
+    }
 }
 
 /// Distinct points, and which of them each given point is.
@@ -27,7 +44,7 @@ pub(super) struct Distinct {
     /// The distinct points in the order in which they first come. No coordinate is -0.
     pub(super) points: Vec<Point>,
     /// Their numbers from left to right.
-    pub(super) by_place: Vec<u32>,
+    pub(super) order: Order,
     /// The number of each given point.
     pub(super) number: Vec<u32>,
 }
@@ -35,8 +52,21 @@ pub(super) struct Distinct {
 impl Distinct {
     /// Finds equal points. O(n) to find them and O(n log n) to order them; less where they are spread evenly.
     pub(super) fn new(given: &[Point]) -> Self {
-        let (mut number, by_place) = first_at_each_place(given);
-        let mut points = Vec::with_capacity(by_place.len());
+        let (number, by_place) = first_at_each_place(given);
+        let (points, number) = Self::numbered(given, number);
+        let by_place = by_place.into_iter().map(|first| number[first as usize]).collect();
+        Self { points, order: Order::known(by_place), number }
+    }
+
+    /// The same without the order. Expected O(n).
+    pub(super) fn without_order(given: &[Point]) -> Self {
+        let (points, number) = Self::numbered(given, first_of_equals(given));
+        Self { points, order: Order::default(), number }
+    }
+
+    /// The distinct points, and the number of each given one, of which the first one at its place is known.
+    fn numbered(given: &[Point], mut number: Vec<u32>) -> (Vec<Point>, Vec<u32>) {
+        let mut points = Vec::with_capacity(given.len());
         for i in 0..given.len() {
             let first = number[i] as usize;
             if first == i {
@@ -46,8 +76,7 @@ impl Distinct {
                 number[i] = number[first];
             }
         }
-        let by_place = by_place.into_iter().map(|first| number[first as usize]).collect();
-        Self { points, by_place, number }
+        (points, number)
     }
 }
 
@@ -60,6 +89,12 @@ pub(super) struct Single {
 }
 
 impl Single {
+    /// Edges that are known to be single.
+    pub(super) fn as_given(given: Vec<[u32; 2]>) -> Self {
+        let half = (0..given.len() as u32).map(|e| 2 * e).collect();
+        Self { edges: given, half }
+    }
+
     /// Finds repeated edges; `repeated` hears of each with the earlier one. `vertices` is more than the greatest number
     /// of an end. O(n), and O(k log k) for a vertex with k edges.
     pub(super) fn new(vertices: usize, given: &[[u32; 2]], mut repeated: impl FnMut(u32, u32)) -> Self {
@@ -98,39 +133,37 @@ impl Single {
 }
 
 impl Graph {
-    /// Adds points to the graph and brings all in order; a new point at the place of an old one is the old one.
-    /// Returns the numbers of the new points. O(n + k log k) for k new points.
+    /// The points from left to right, those above each other from bottom to top.
+    pub(super) fn by_place(&self) -> &[u32] {
+        self.order.0.get_or_init(|| first_at_each_place(&self.points).1)
+    }
+
+    /// Adds points to the graph; a new point at the place of an old one is the old one. Returns the numbers of the new
+    /// points. An order that is known stays known.
+    ///
+    /// Cost: O(n + k log k) for k new points, less where they come from left to right.
     pub(super) fn add_points(&mut self, new: &[Point]) -> Vec<u32> {
-        let Distinct { points, by_place, number } = Distinct::new(new);
-        let mut numbers = vec![u32::MAX; points.len()];
-        let old = std::mem::take(&mut self.by_place);
-        let mut old = old.into_iter().peekable();
-        let mut added: Vec<u32> = Vec::new();
-        let at = |list: &[Point], p: u32| list[p as usize];
-        let mut merged: Vec<(bool, u32)> = Vec::with_capacity(old.len() + points.len());
-        for p in by_place {
-            while let Some(&q) = old.peek() {
-                if left_to_right(at(&self.points, q), at(&points, p)).is_ge() {
-                    break;
-                }
-                merged.push((false, q));
-                old.next();
-            }
-            match old.peek() {
-                Some(&q) if at(&self.points, q) == at(&points, p) => numbers[p as usize] = q,
-                _ => {
-                    merged.push((true, p));
-                    added.push(p);
-                }
-            }
+        let Distinct { points, order, number } = Distinct::new(new);
+        let mut numbers = equals_among(&points, &self.points);
+        let bound = self.points.len() as u32;
+        for (&p, number) in points.iter().zip(&mut numbers).filter(|(_, number)| **number == NONE) {
+            *number = self.points.len() as u32;
+            self.points.push(p);
         }
-        merged.extend(old.map(|q| (false, q)));
-        added.sort_unstable();
-        for p in added {
-            numbers[p as usize] = self.points.len() as u32;
-            self.points.push(at(&points, p));
+        if let Some(old) = self.order.0.take() {
+            let new = order.0.into_inner().into_iter().flatten().map(|p| numbers[p as usize]).filter(|&p| p >= bound);
+            let at = |p: u32| self.points[p as usize];
+            let mut merged = Vec::with_capacity(self.points.len());
+            let mut old = old.into_iter().peekable();
+            for p in new {
+                while let Some(q) = old.next_if(|&q| left_to_right(at(q), at(p)).is_lt()) {
+                    merged.push(q);
+                }
+                merged.push(p);
+            }
+            merged.extend(old);
+            self.order = Order::known(merged);
         }
-        self.by_place = merged.into_iter().map(|(is_new, p)| if is_new { numbers[p as usize] } else { p }).collect();
         number.into_iter().map(|p| numbers[p as usize]).collect()
     }
 }

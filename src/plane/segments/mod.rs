@@ -7,13 +7,16 @@
 //!                                                                                             or split (split.rs)
 //! ```
 //!
-//! What is to be split is first looked for without a sweep: `crossed.rs`, and after the cuts `settled.rs`.
+//! What is to be split is first looked for without a sweep: `crossed.rs`, and after the cuts `settled.rs`. Where faces have
+//! few sides on the average, no sweep is needed either to see that nothing meets: `settled.rs` makes the subdivision, and
+//! `proof.rs` of the plane looks at it.
 //!
 //! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
 //!
 //! Dangling edges, single edges, isolated points, nested inner components and several components are all legal.
 //!
 //! ```text
+//!   angles.rs    One-rings by the angles of their half-edges
 //!   arrange.rs   The way from given segments to a subdivision, step by step
 //!   chains.rs    What became of the edges of a graph that was split
 //!   crossed.rs   The first cuts of all edges, from the pairs that meet
@@ -23,11 +26,12 @@
 //!   holes.rs     Marking hole faces
 //!   part.rs      The subdivision of some of the edges of another
 //!   pixels.rs    The hot pixels that a segment passes
-//!   settled.rs   A look at a graph of which only some edges are new, or none
+//!   settled.rs   A look at a graph without a sweep
 //!   touching.rs  Points that lie inside the sides of polygons
 //!   watched.rs   The sweep by itself, for who watches it
 //! ```
 
+mod angles;
 mod arrange;
 mod chains;
 mod collinear;
@@ -335,7 +339,8 @@ impl Subdivision {
         segments: &[[u32; 2]],
         options: &ArrangeOptions,
     ) -> Result<Arranged, SegmentsError> {
-        arrange(Self::input(points, segments, options)?, options)
+        check_graph(points, segments)?;
+        arrange(Input::graph(points, segments, options), options)
     }
 
     /// The same for the edges of two subdivisions, those of the first one first.
@@ -345,17 +350,19 @@ impl Subdivision {
         first: usize,
         options: &ArrangeOptions,
     ) -> Result<Arranged, SegmentsError> {
-        arrange(Self::input(points, segments, options)?.two_graphs(first), options)
+        check_graph(points, segments)?;
+        arrange(Input::two_graphs(points, segments, first), options)
     }
+}
 
-    fn input(points: &[Point], segments: &[[u32; 2]], options: &ArrangeOptions) -> Result<Input, SegmentsError> {
-        check_points(points)?;
-        for (i, &end) in segments.as_flattened().iter().enumerate() {
-            if end as usize >= points.len() {
-                return Err(SegmentsError::NoSuchPoint { segment: i as u32 / 2, point: end, points: points.len() });
-            }
+fn check_graph(points: &[Point], segments: &[[u32; 2]]) -> Result<(), SegmentsError> {
+    check_points(points)?;
+    match segments.as_flattened().iter().position(|&end| end as usize >= points.len()) {
+        Some(i) => {
+            let point = segments.as_flattened()[i];
+            Err(SegmentsError::NoSuchPoint { segment: i as u32 / 2, point, points: points.len() })
         }
-        Ok(Input::graph(points, segments, options))
+        None => Ok(()),
     }
 }
 

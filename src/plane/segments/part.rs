@@ -6,7 +6,7 @@
 //!             ●── h0
 //! ```
 
-use super::graph::Graph;
+use super::graph::{Graph, Order};
 use super::trace::{OneRings, trace_known};
 use crate::geometry::grouping::Joined;
 use crate::geometry::predicates::{left_to_right, orientation};
@@ -40,7 +40,7 @@ impl Subdivision {
             stay.push(v);
         }
         let ends = edges.iter().map(|&e| self.edge_ends(e).map(|v| number[v.index()])).collect();
-        let graph = Graph { points, edges: ends, by_place: Vec::new() };
+        let graph = Graph { points, edges: ends, order: Order::default() };
 
         let mut one_rings = OneRings::new(&graph)?;
         let mut ring: Vec<HalfEdgeId> = Vec::new();

@@ -105,7 +105,7 @@ impl Parts {
 fn meeting_points(graph: &Graph) -> Vec<u32> {
     let mut points = Vec::new();
     let most = 4 * graph.edges.len() + 4;
-    let _ = visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| {
+    let _ = visit_intersections(&graph.points, &graph.edges, graph.by_place(), |event| {
         points.extend(event.through.iter().map(|&e| graph.edges[e as usize][0]));
         if let EventPlace::Vertex(v) = event.place {
             points.push(v);
@@ -140,7 +140,7 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
     places.extend(stays.iter().map(|&p| at(p)));
     let first_middle = places.len();
     places.extend_from_slice(&pixels.middles);
-    let Distinct { points, by_place, number } = Distinct::new(&places);
+    let Distinct { points, order, number } = Distinct::new(&places);
     let middle = |pixel: u32| number[first_middle + pixel as usize];
     let mut now: Vec<u32> = number[..plain.given].to_vec();
     now.resize(graph.points.len(), u32::MAX);
@@ -183,7 +183,7 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
     let farthest = if parts.all { 0.0 } else { plain.split.farthest };
     let of_given = number[..plain.given].iter().max().map_or(0, |&last| last as usize + 1);
     Made {
-        graph: Graph { points, edges, by_place },
+        graph: Graph { points, edges, order },
         split: Split {
             starts,
             chain: half,
@@ -200,7 +200,7 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
 /// is from the middle.
 fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> (Pixels, Vec<(u32, f64)>) {
     let is_given = |p: u32| (p as usize) < plain.given && chosen[p as usize];
-    let by_place: Vec<u32> = graph.by_place.iter().copied().filter(|&p| is_given(p)).collect();
+    let by_place: Vec<u32> = graph.by_place().iter().copied().filter(|&p| is_given(p)).collect();
     let edges: Vec<[u32; 2]> = plain.edges.iter().copied().filter(|&[a, _]| chosen[a as usize]).collect();
     let mut crossings: Vec<(Point, f64)> = Vec::new();
     let _ = visit_intersections(&graph.points, &edges, &by_place, |event| {

@@ -85,33 +85,37 @@ impl OneRings {
 }
 
 /// What a look at a graph has found.
-pub(super) struct Seen {
-    /// All one-rings, if nothing meets.
-    one_rings: OneRings,
-    /// The edge directly below each point, `NOTHING` if there is none. Not known where nothing was swept over.
-    below: Option<Vec<u32>>,
-    /// The first intersection.
-    pub(super) intersection: Option<Intersection>,
+pub(super) enum Seen {
+    /// By a sweep.
+    Swept {
+        /// All of them, if nothing meets.
+        one_rings: OneRings,
+        /// The edge directly below each point, `NOTHING` if there is none.
+        below: Vec<u32>,
+        /// The first one.
+        intersection: Option<Intersection>,
+    },
+    /// Nothing meets; all one-rings.
+    OneRings(OneRings),
+    /// Nothing meets; the subdivision was made in order to see that.
+    Made(Box<Subdivision>),
 }
 
 /// Sweeps over the graph: the first intersection, what lies below each vertex, and, if nothing meets, all one-rings.
 pub(super) fn look(graph: &Graph) -> Result<Seen, TooMany> {
     let mut one_rings = OneRings::new(graph)?;
     let Swept { below, intersection } =
-        sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |one_ring| one_rings.link(&one_ring));
-    Ok(Seen { one_rings, below: Some(below), intersection })
+        sweep_in_order(&graph.points, &graph.edges, graph.by_place(), true, |one_ring| one_rings.link(&one_ring));
+    Ok(Seen::Swept { one_rings, below, intersection })
 }
 
 impl Seen {
-    /// All one-rings of a graph in which nothing meets.
-    pub(super) fn without_sweep(one_rings: OneRings) -> Self {
-        Self { one_rings, below: None, intersection: None }
-    }
-
-    /// Whether a sweep has seen it.
-    #[cfg(test)]
-    pub(super) fn is_swept(&self) -> bool {
-        self.below.is_some()
+    /// The first intersection.
+    pub(super) fn intersection(&self) -> Option<Intersection> {
+        match *self {
+            Self::Swept { intersection, .. } => intersection,
+            Self::OneRings(_) | Self::Made(_) => None,
+        }
     }
 }
 
@@ -121,18 +125,22 @@ impl Seen {
 /// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
 /// half-edge, which is their `half_edge`.
 ///
+/// The points are taken out of the graph.
+///
 /// Cost: O(n log n).
-pub(super) fn trace(graph: Graph, seen: Seen) -> Result<Subdivision, TooMany> {
-    let Graph { points, edges, by_place } = graph;
-    let mut columns = seen.one_rings.columns;
-    let loose = cycles(&mut columns, &points)?;
-    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
-    let below = seen.below.unwrap_or_else(|| edges_below(&points, &edges, &by_place, leftmost));
-    let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
-    let edge_below = |v: VertexId| match below[v.index()] {
-        NOTHING => None,
-        edge => Some(EdgeId::new(edge)),
+pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMany> {
+    let (one_rings, below) = match seen {
+        Seen::Swept { one_rings, below, .. } => (one_rings, Some(below)),
+        Seen::OneRings(one_rings) => (one_rings, None),
+        Seen::Made(subdivision) => return Ok(*subdivision),
     };
+    let Graph { points, edges, order } = graph;
+    let mut columns = one_rings.columns;
+    let loose = cycles(&mut columns, points)?;
+    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
+    let below = below.unwrap_or_else(|| edges_below(points, edges, order.if_known(), leftmost));
+    let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), std::mem::take(points).into());
+    let edge_below = |v: VertexId| below.get(v.index()).filter(|&&edge| edge != NOTHING).map(|&edge| EdgeId::new(edge));
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
     let Ok(()) = subdivision.place_inner_components(loose, edge_below, fits);
     Ok(subdivision)

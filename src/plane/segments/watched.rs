@@ -1,6 +1,6 @@
 //! The sweep that finds where segments cross, for who watches it.
 
-use super::graph::Distinct;
+use super::graph::{Distinct, Graph};
 use super::{SegmentsError, check_points};
 use crate::plane::Point;
 use crate::plane::meet::{SweepEvent, sweep_observed};
@@ -34,7 +34,7 @@ pub fn sweep_segments_observed(
     observer: &mut impl Observer<SweepEvent>,
 ) -> Result<(), SegmentsError> {
     check_points(segments.as_flattened())?;
-    let Distinct { points, number, by_place } = Distinct::new(segments.as_flattened());
+    let Distinct { points, number, order } = Distinct::new(segments.as_flattened());
     // A segment that is given twice, or has no length, is left out; the others keep their numbers by this list.
     let mut ends: Vec<([u32; 2], u32)> = Vec::with_capacity(segments.len());
     for (segment, pair) in (0..).zip(number.chunks_exact(2)) {
@@ -46,8 +46,9 @@ pub fn sweep_segments_observed(
     ends.dedup_by_key(|(ends, _)| *ends);
     ends.sort_unstable_by_key(|&(_, segment)| segment);
     let (edges, names): (Vec<[u32; 2]>, Vec<u32>) = ends.into_iter().unzip();
+    let graph = Graph { points, edges, order };
     let mut named = Named { names, observer };
-    let _ = sweep_observed(&points, &edges, &by_place, |_| ControlFlow::Continue(()), &mut named);
+    let _ = sweep_observed(&graph.points, &graph.edges, graph.by_place(), |_| ControlFlow::Continue(()), &mut named);
     Ok(())
 }
 
