@@ -309,3 +309,21 @@ fn what_overlaps_or_touches_itself_is_not_helped_by_corners() {
     let through = vec![(1., 0.), (2., 4.), (3., 0.5)];
     assert!(matches!(refused(&[vec![square, through]]), ConvertError::InPieces { .. }));
 }
+
+#[test]
+fn no_corner_is_inserted_where_sides_cross_as_well() {
+    let insert = ConvertOptions { insert_touching: true, full_check: true, ..ConvertOptions::default() };
+    // A tip on the long side, and further to the right two polygons that cross.
+    let polygons = [
+        vec![vec![(0., 0.), (20., 0.), (20., 4.), (0., 4.)]],
+        vec![vec![(2., 4.), (3., 6.), (1., 6.)]],
+        vec![vec![(10., 2.), (12., 2.), (12., 8.), (10., 8.)]],
+    ];
+    let convert = |polygons: &[Vec<Vec<(f64, f64)>>], options: &ConvertOptions| {
+        let (points, list) = soup(polygons);
+        Subdivision::convert_polygons(points, &list, options)
+    };
+    assert_eq!(convert(&polygons[..2], &insert).expect("the tip is all").inserted.len(), 1);
+    let plain = ConvertOptions { insert_touching: false, ..insert };
+    assert_eq!(convert(&polygons, &insert), convert(&polygons, &plain), "refused by the names of what was given");
+}

@@ -227,3 +227,38 @@ fn a_vertex_moves_by_what_it_is_told() {
     let missing = VertexId::new(s.vertex_bound() as u32);
     assert!(matches!(s.move_vertex(missing, [0.0, 0.0]), Err(SetPointError::Id(_))));
 }
+
+#[test]
+fn a_vertex_alone_is_told_what_is_in_its_place() {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let points = [at(0., 0.), at(4., 0.), at(0., 4.), at(1., 1.), at(1., 2.), at(9., 9.)];
+    let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 0]]).unwrap();
+    let v = VertexId::new;
+    let moved = |from: u32, point: Point| s.can_set_point(v(from), point);
+    let occupied = |vertex: u32, point: Point, other: u32| {
+        Err(SetPointError::Occupied { vertex: v(vertex), point, other: v(other) })
+    };
+    assert_eq!(moved(3, at(1., 2.)), occupied(3, at(1., 2.), 4));
+    assert_eq!(moved(3, at(0., 4.)), occupied(3, at(0., 4.), 2));
+    assert!(matches!(moved(3, at(2., 0.)), Err(SetPointError::OnEdge { edge, .. }) if edge.edge().number() == 0));
+    assert!(matches!(moved(3, at(9., 8.)), Err(SetPointError::LeavesFace { face, .. }) if face.number() == 1));
+    assert!(matches!(moved(5, at(1., 1.5)), Err(SetPointError::LeavesFace { face, .. }) if face == s.outer_face()));
+    assert_eq!((moved(3, at(0.5, 2.5)), moved(5, at(-1., -1.))), (Ok(()), Ok(())));
+}
+
+/// The edges at the tip of a low triangle pass over a small one without touching it, so that it would lie inside.
+#[test]
+fn a_component_is_not_taken_into_a_face_that_grows() {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let (low, small) = ([at(0., 0.), at(10., 0.), at(5., 1.)], [at(5., 3.), at(5.5, 3.), at(5., 3.5)]);
+    for (points, tip, inner) in [([low, small].concat(), 2, 3), ([small, low].concat(), 5, 0)] {
+        let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 0], [3, 4], [4, 5], [5, 3]]).unwrap();
+        assert_eq!(s.can_set_point(VertexId::new(tip), at(5., 2.)), Ok(()));
+        match s.can_set_point(VertexId::new(tip), at(5., 20.)) {
+            Err(SetPointError::LeavesFace { inner: found, .. }) => {
+                assert!((inner..inner + 3).contains(&found.number()), "{found}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}

@@ -658,7 +658,11 @@ fn as_many_faults_are_told_as_are_asked_for() {
     let o = Point::new(0., 0.);
     let to = |x: i32, y: i32| [o, Point::new(f64::from(x), f64::from(y))];
     let through = |x: i32, y: i32| [Point::new(f64::from(-x), f64::from(-y)), Point::new(f64::from(x), f64::from(y))];
-    let cases: [(&str, Vec<Segment>); 5] = [
+    let cases: [(&str, Vec<Segment>); 6] = [
+        (
+            "no length, repeated, crossing",
+            vec![to(0, 0), to(0, 0), through(1, 2), through(1, 2), through(2, 2), through(3, 2), through(4, 2)],
+        ),
         ("overlaps from one point", (1..=6).map(|x| to(x, 0)).collect()),
         ("ends on a line", (-4..=4).map(|x| to(x, 5)).chain([through(9, 0)]).collect()),
         ("ends on lines", (-4..=4).map(|x| to(x, 5)).chain((1..4).map(|y| through(9, -y))).collect()),
@@ -674,4 +678,18 @@ fn as_many_faults_are_told_as_are_asked_for() {
             assert!(told.iter().all(|fault| all.contains(fault)), "{name}: {most}");
         }
     }
+}
+
+#[test]
+fn what_stays_in_place_is_not_said_to_have_moved() {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let cross = [[at(0., 0.), at(4., 4.)], [at(0., 4.), at(4., 0.)]];
+    let whole = Subdivision::arrange_segments(&cross, &SPLIT).unwrap();
+    assert_eq!((whole.crossings.len(), whole.moved.len(), whole.farthest), (1, 0, 0.0));
+    // Of the ends one does not lie on the grid.
+    let grid = ArrangeOptions { grid: Some(1.0), ..SPLIT };
+    let segments = [[at(0., 0.), at(4., 4.)], [at(0., 4.), at(4.25, 0.)], [at(9., 9.), at(9., 12.)]];
+    let rounded = Subdivision::arrange_segments(&segments, &grid).unwrap();
+    assert_eq!((rounded.displaced.len(), rounded.displaced_points), (1, 1));
+    assert_eq!(rounded.displaced[0].1, 0.25);
 }

@@ -45,3 +45,35 @@ impl Subdivision {
         beside.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, h)| h)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_of_what_is_near_enough_is_found() {
+        let at = |x: f64, y: f64| Point::new(x, y);
+        // A square round a loose point.
+        let points = [at(0., 0.), at(8., 0.), at(8., 8.), at(0., 8.), at(3., 4.)];
+        let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 3], [3, 0]]).expect("a square");
+        let f = FaceId::new(1);
+        let vertex = |p: Point, near: f64| s.nearest_vertex(f, p, near).map(|v| v.number());
+        assert_eq!(vertex(at(0., 0.), 0.0), Some(0));
+        // 3, 4 and 5 off.
+        assert_eq!((vertex(at(6., 8.), 5.0), vertex(at(6., 8.), 1.9)), (Some(2), None));
+        assert_eq!((vertex(at(3., 8.), 4.0), vertex(at(3., 8.), 2.9)), (Some(3), None));
+        assert_eq!((vertex(at(0., 0.5), 9.0), vertex(at(3., 0.), 3.0)), (Some(0), Some(0)));
+        assert_eq!((vertex(at(6., 4.), 3.0), vertex(at(6., 4.), 2.9)), (Some(4), None));
+        assert_eq!((vertex(at(3., 1.), 3.0), vertex(at(3., 7.), 3.0)), (Some(4), Some(4)));
+
+        let upper = |h: HalfEdgeId| s.point(s.origin(h)).y > 7.0;
+        let side = |p: Point, near: f64| {
+            s.nearest_half_edge(f, p, near, |h| !upper(h)).map(|h| [s.origin(h), s.destination(h)].map(|v| v.number()))
+        };
+        assert_eq!((side(at(4., 1.), 1.0), side(at(4., 1.), 0.9)), (Some([0, 1]), None));
+        assert_eq!(side(at(7.5, 6.), 2.0), Some([1, 2]));
+        // Behind the end of a side, and nearest to one that is not wanted.
+        assert_eq!((side(at(-3., -4.), 5.0), side(at(-3., -4.), 4.9)), (Some([0, 1]), None));
+        assert_eq!(side(at(4., 7.), 9.0), Some([1, 2]));
+    }
+}

@@ -385,6 +385,126 @@ mod tests {
         }
     }
 
+    /// The diagonals by the rule at the head of the file, all pairs asked: the ends of each.
+    fn by_rule(s: &Subdivision, f: FaceId) -> Vec<[VertexId; 2]> {
+        let mut diagonals = Vec::new();
+        let mut pieces: Vec<Vec<VertexId>> = vec![s.incident_half_edges(f).map(|h| s.origin(h)).collect()];
+        while let Some(piece) = pieces.pop() {
+            let n = piece.len();
+            let at = |i: usize| s.point(piece[i % n]);
+            let corner = |i: usize| [at(i + n - 1), at(i), at(i + 1)];
+            let is_wrong = |i: usize| {
+                let [u, v, w] = corner(i);
+                let turn = orientation(u, v, w);
+                turn.is_lt() || turn.is_eq() && left_to_right(u, v) != left_to_right(v, w)
+            };
+            let looks_inside = |i: usize, j: usize| {
+                let [u, v, w] = corner(i);
+                let between = |p, q| orientation(v, p, q).is_gt();
+                let to = at(j);
+                match orientation(v, w, u) {
+                    turn if turn.is_gt() => between(w, to) && between(to, u),
+                    turn if turn.is_lt() => between(w, to) || between(to, u),
+                    // The corner at the end of a slit, or on a straight side.
+                    _ if left_to_right(v, u) == left_to_right(v, w) => {
+                        orientation(v, w, to).is_ne() || left_to_right(v, to) != left_to_right(v, w)
+                    }
+                    _ => between(w, to),
+                }
+            };
+            let is_free = |i: usize, j: usize| {
+                let (a, b) = (at(i), at(j));
+                let is_inside = |p: Point| {
+                    orientation(a, b, p).is_eq() && left_to_right(a, p) == left_to_right(p, b) && p != a && p != b
+                };
+                (0..n).all(|k| !is_inside(at(k)) && !cross(a, b, at(k), at(k + 1)))
+            };
+            let Some(from) = (0..n).find(|&i| is_wrong(i)) else { continue };
+            let sees = |&to: &usize| {
+                at(from) != at(to) && looks_inside(from, to) && looks_inside(to, from) && is_free(from, to)
+            };
+            let to = (from + 2..from + n - 1).find(sees).expect("such a corner sees another one");
+            let part = |first: usize, last: usize| (first..=last).map(|i| piece[i % n]);
+            diagonals.push([piece[from], piece[to % n]]);
+            pieces.push(std::iter::once(piece[to % n]).chain(part(from, to - 1)).collect());
+            pieces.push(std::iter::once(piece[from]).chain(part(to, from + n - 1)).collect());
+        }
+        diagonals.sort_unstable();
+        diagonals
+    }
+
+    /// The ends of the edges behind so many.
+    fn ends_behind(s: &Subdivision, edges: usize) -> Vec<[VertexId; 2]> {
+        let new = s.edges().skip(edges);
+        let mut ends: Vec<[VertexId; 2]> = new.map(|e| e.half_edges().map(|h| s.origin(h))).collect();
+        ends.sort_unstable();
+        ends
+    }
+
+    /// Faces of triangulations from which edges were taken: dents, slits, straight corners.
+    fn random(seed: u64) -> Subdivision {
+        let mut next = crate::plane::sweep::tests::numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let (size, far) = (3 + next(9), [0.0, 1e6, -1e12][next(3) as usize]);
+        let places = (0..4 + next(40)).map(|_| [next(size), next(size)].map(|x| x as f64 * 0.37 + far));
+        let places: Vec<Point> = places.map(Point::from).collect();
+        let Ok(built) = Subdivision::delaunay(&places) else { return comb() };
+        let mut s = built.subdivision;
+        for e in s.edges().collect::<Vec<_>>() {
+            let [f, g] = e.half_edges().map(|h| s.face(h));
+            if next(2) == 0 && ![f, g].contains(&s.outer_face()) && (f != g || next(4) == 0) {
+                let mut joined = s.clone();
+                joined.remove_edge(e).expect("it is there");
+                if joined.faces().all(|f| f == joined.outer_face() || joined.inner_components(f).is_empty()) {
+                    s = joined;
+                }
+            }
+        }
+        let _ = s.compact();
+        s
+    }
+
+    #[test]
+    fn diagonals_are_those_of_the_rule() {
+        let (mut cuts, mut slits) = (0, 0);
+        for seed in 1..900 {
+            let given = random(seed);
+            for f in given.faces().filter(|&f| f != given.outer_face()) {
+                let mut s = given.clone();
+                let added = s.cut_into_convex_with(f, &mut PlaneJournal::new()).expect("it can be cut");
+                let expected = by_rule(&given, f);
+                assert_eq!(ends_behind(&s, given.edge_count()), expected, "seed {seed}, {f:?}");
+                assert_eq!(added.len(), expected.len(), "seed {seed}, {f:?}");
+                cuts += expected.len();
+                slits += given.incident_half_edges(f).filter(|h| given.face(h.twin()) == f).count();
+            }
+        }
+        assert!(cuts > 3_000 && slits > 1_000, "{cuts} {slits}");
+    }
+
+    #[test]
+    fn the_work_in_a_long_comb_is_within_its_bound() {
+        let comb = |teeth: u32| {
+            let tooth = |i: u32| {
+                let x = f64::from(4 * i);
+                [(x, 2.0), (x + 1.0, 9.0 + f64::from(i % 3)), (x + 2.0, 2.0)].map(Point::from)
+            };
+            let width = f64::from(4 * teeth);
+            let mut corners: Vec<Point> = vec![Point::new(width, 0.0)];
+            corners.extend((0..teeth).rev().flat_map(|i| tooth(i).into_iter().rev()));
+            corners.push(Point::new(-1.0, 0.0));
+            let mut s = Subdivision::polygon(&corners).expect("simple");
+            let expected = if teeth < 40 { Some(by_rule(&s, FaceId::new(1)).len()) } else { None };
+            let added = s.cut_into_convex_with(FaceId::new(1), &mut PlaneJournal::new()).expect("it can be cut").len();
+            assert_eq!(expected.unwrap_or(added), added);
+            added
+        };
+        // A face that is left to the sweep becomes triangles, which are more.
+        let (few, more) = (comb(10), comb(20));
+        for teeth in [200, 2_000, 20_000] {
+            assert_eq!(comb(teeth), few + (teeth as usize - 10) / 10 * (more - few), "{teeth} teeth");
+        }
+    }
+
     #[test]
     fn edges_that_go_at_once_leave_what_they_leave_one_by_one() {
         let mut cut = comb();

@@ -343,3 +343,64 @@ impl Subdivision {
         Err(refused)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::PlaneJournal;
+
+    fn at(x: f64, y: f64) -> Point {
+        Point::new(x, y)
+    }
+
+    #[test]
+    fn the_first_vertex_beside_a_way_is_found_between_its_ends() {
+        // A way from v0 to v1 along a slope of 3 to 4; v2 to v6 lie 5, 10, 5, 0 and 0 beside it, 50, 25, 75, -25 and 125 along.
+        let beside = |along: f64, off: f64| at(4.0 * along - 3.0 * off, 3.0 * along + 4.0 * off);
+        let points = [
+            beside(0., 0.),
+            beside(20., 0.),
+            beside(10., 1.),
+            beside(5., -2.),
+            beside(15., -1.),
+            beside(-5., 0.),
+            beside(25., 0.),
+        ];
+        let s = Subdivision::from_graph(&points, &[]).expect("loose points");
+        let first = |ends: [u32; 2], near: f64| {
+            let line = [points[0], points[1]];
+            s.first_beside(s.outer_face(), ends.map(VertexId::new), line, near).map(VertexId::number)
+        };
+        assert_eq!(first([0, 1], 4.9), None);
+        assert_eq!((first([0, 1], 5.0), first([0, 1], 9.9), first([0, 1], 10.0)), (Some(2), Some(2), Some(3)));
+        assert_eq!((first([2, 1], 10.0), first([2, 4], 10.0), first([3, 1], 5.0)), (Some(4), None, Some(2)));
+    }
+
+    /// A point a hair above the edge: bent upwards behind it, the edge would run over it.
+    #[test]
+    fn an_edge_is_split_beside_a_place_at_which_it_would_be_bent_over_something() {
+        let points = [at(0., 0.), at(4., 0.), at(1., 2f64.powi(-60))];
+        let s = Subdivision::from_graph(&points, &[[0, 1]]).expect("an edge and a point");
+        let h = HalfEdgeId::new(0);
+        let (place, step) = (at(2., 2f64.powi(-52)), 2.0 * f64::EPSILON);
+        assert!(s.clone().split_edge(h, place).is_err());
+        let split = |near: f64| {
+            let (mut one, mut journal) = (s.clone(), PlaneJournal::new());
+            let v = one.split_beside(h, place, near, &mut journal).ok()?;
+            assert_eq!(one.geometry_violations(), []);
+            Some(one.point(v))
+        };
+        assert_eq!(split(1.9 * step), None);
+        // The first of the eight places round it at which the edge stays below the point.
+        let expected = at(place.x - step, place.y - step);
+        assert_eq!((split(2.0 * step), split(1.0)), (Some(expected), Some(expected)));
+        // Where all of them are above the point it takes a wider ring.
+        let higher = |rings: f64| {
+            let mut one = s.clone();
+            let place = at(2., (rings + 0.5) * step);
+            one.split_beside(h, place, 1.0, &mut PlaneJournal::new()).ok().map(|v| one.point(v))
+        };
+        assert_eq!(higher(2.0), Some(at(2. - 3.0 * step, -0.5 * step)));
+        assert_eq!((higher(7.0).is_some(), higher(8.0)), (true, None));
+    }
+}

@@ -185,4 +185,49 @@ mod tests {
         s.remove_edge(spoke).expect("an edge");
         s.insert_edge_as(spoke, ends, &mut NoRecorder).expect("nothing is in its way");
     }
+
+    /// A triangle by itself: the edge that closes it has the new face on its left or on its right, whichever way it runs.
+    #[test]
+    fn the_first_half_starts_at_the_first_vertex_on_either_side_of_an_inner_component() {
+        for inside in [false, true] {
+            let mut points = [(1., 1.), (3., 1.), (2., 2.)].map(Point::from).to_vec();
+            let mut edges = vec![[0, 1], [1, 2], [2, 0]];
+            if inside {
+                points.extend([(0., 0.), (9., 0.), (0., 9.)].map(Point::from));
+                edges.extend([[3, 4], [4, 5], [5, 3]]);
+            }
+            let given = Subdivision::from_graph(&points, &edges).expect("triangles");
+            for (e, turned) in given.edges().take(3).flat_map(|e| [(e, false), (e, true)]) {
+                let mut ends = e.half_edges().map(|h| given.origin(h));
+                if turned {
+                    ends.reverse();
+                }
+                let (mut s, mut journal) = (given.clone(), PlaneJournal::new());
+                s.keep_ids();
+                s.remove_edge(e).expect("an edge");
+                let open = s.clone();
+                s.insert_edge_as(e, ends, &mut journal).expect("nothing is in its way");
+                assert_eq!(e.half_edges().map(|h| s.origin(h)), ends, "{e}, inside: {inside}");
+                assert_eq!(
+                    (crate::topology::violations(&s), s.geometry_violations()),
+                    (vec![], vec![]),
+                    "{e}, inside: {inside}"
+                );
+                assert_eq!(s.face_count(), given.face_count());
+                s.undo(&mut journal, 0);
+                assert_eq!(s, open);
+            }
+        }
+    }
+
+    #[test]
+    fn an_id_that_is_no_longer_kept_is_used_again() {
+        let mut s = square();
+        s.keep_ids();
+        let spoke = s.edges().find(|e| e.half_edges().iter().all(|&h| s.face(h) != s.outer_face())).expect("a spoke");
+        let [from, to] = spoke.half_edges().map(|h| s.origin(h));
+        s.remove_edge(spoke).expect("an edge");
+        s.release_ids();
+        assert_eq!(s.insert_edge(from, to).expect("a free place").half_edge.edge(), spoke);
+    }
 }
