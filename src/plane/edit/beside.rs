@@ -57,7 +57,7 @@ mod tests {
         let points = [at(0., 0.), at(8., 0.), at(8., 8.), at(0., 8.), at(3., 4.)];
         let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 3], [3, 0]]).expect("a square");
         let f = FaceId::new(1);
-        let vertex = |p: Point, near: f64| s.nearest_vertex(f, p, near).map(|v| v.number());
+        let vertex = |p: Point, near: f64| s.nearest_vertex(f, p, near).map(VertexId::number);
         assert_eq!(vertex(at(0., 0.), 0.0), Some(0));
         // 3, 4 and 5 off.
         assert_eq!((vertex(at(6., 8.), 5.0), vertex(at(6., 8.), 1.9)), (Some(2), None));
@@ -68,7 +68,8 @@ mod tests {
 
         let upper = |h: HalfEdgeId| s.point(s.origin(h)).y > 7.0;
         let side = |p: Point, near: f64| {
-            s.nearest_half_edge(f, p, near, |h| !upper(h)).map(|h| [s.origin(h), s.destination(h)].map(|v| v.number()))
+            s.nearest_half_edge(f, p, near, |h| !upper(h))
+                .map(|h| [s.origin(h), s.destination(h)].map(VertexId::number))
         };
         assert_eq!((side(at(4., 1.), 1.0), side(at(4., 1.), 0.9)), (Some([0, 1]), None));
         assert_eq!(side(at(7.5, 6.), 2.0), Some([1, 2]));
