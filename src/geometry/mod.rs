@@ -5,7 +5,7 @@
 //!   expansion.rs                    exact sums and products
 //!   interval.rs  double_double.rs   bounds that decide without them most of the time
 //!   number.rs                       numbers as they are written
-//!   grouping.rs                     things by groups: a counting sort
+//!   grouping.rs  both.rs            things by groups: a counting sort; both things of a pair
 //!   equal.rs  places.rs             equal points; and all from left to right
 //!   threads.rs                      work that threads may share
 //!   space.rs  random.rs             vectors in space; numbers that look random
@@ -13,6 +13,7 @@
 //!
 //! What is public of it stands in [`plane`](crate::plane).
 
+pub(crate) mod both;
 pub(crate) mod double_double;
 pub(crate) mod equal;
 pub(crate) mod expansion;

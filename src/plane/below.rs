@@ -10,6 +10,7 @@
 
 use super::Point;
 use super::sweep::{NOTHING, is_above, sweep, sweep_in_order};
+use crate::geometry::both::of_both;
 use crate::geometry::predicates::{left_to_right, orientation};
 
 /// So many edges above and below points are looked at for each edge; a sweep is quicker than more of them.
@@ -51,7 +52,7 @@ pub(super) fn edges_below(
         None => (0..points.len() as u32).map(|p| asked.partition_point(|q| compare(q, &p).is_le()) as u32).collect(),
     };
     let passed = |ends: &[u32; 2]| {
-        let [a, b] = ends.map(|p| count[p as usize]);
+        let [a, b] = of_both(*ends, |p| count[p as usize]);
         a.min(b) as usize..a.max(b) as usize
     };
     let work: usize = edges.iter().map(|ends| passed(ends).len()).sum();
@@ -63,7 +64,7 @@ pub(super) fn edges_below(
         .below;
     }
     let rightwards = |edge: [u32; 2]| {
-        let [a, b] = edge.map(|p| points[p as usize]);
+        let [a, b] = of_both(edge, |p| points[p as usize]);
         if left_to_right(a, b).is_gt() { [b, a] } else { [a, b] }
     };
     for (e, &edge) in (0..).zip(edges) {

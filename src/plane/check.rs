@@ -7,6 +7,7 @@ use super::cycle::by_direction;
 use super::cycle::encloses;
 use super::sweep::{Intersection, NOTHING, sweep};
 use super::{Point, Subdivision};
+use crate::geometry::both::of_both;
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::{InnerComponent, Rule};
@@ -212,7 +213,7 @@ impl Subdivision {
     }
 
     pub(super) fn edge_ends(&self, e: EdgeId) -> [VertexId; 2] {
-        e.half_edges().map(|h| self.dcel.origin(h))
+        of_both(e.half_edges(), |h| self.dcel.origin(h))
     }
 
     /// The half of `e` that runs from left to right, with the upper side on its left.

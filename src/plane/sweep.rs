@@ -15,6 +15,7 @@
 
 use super::Point;
 use super::status::Status;
+use crate::geometry::both::of_both;
 use crate::geometry::grouping::grouped;
 use crate::geometry::places::from_left_to_right;
 use crate::geometry::predicates::{left_to_right, orientation};
@@ -149,7 +150,7 @@ pub(super) fn rightwards(points: &[Point], edges: &[[u32; 2]]) -> Vec<[u32; 2]> 
 
 impl Sweep {
     fn ends(&self, edge: u32) -> [Point; 2] {
-        self.edges[edge as usize].map(|p| self.points[p as usize])
+        of_both(self.edges[edge as usize], |p| self.points[p as usize])
     }
 
     /// Where the point lies from the edge: `Greater` = above.

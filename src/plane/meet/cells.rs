@@ -16,6 +16,7 @@
 //! Source: Franklin, Narayanaswami, Kankanhalli, Sun, Zhou and Wu, *Uniform grids: a technique for intersection detection
 //! on serial and parallel machines*, Auto-Carto 9, 1989.
 
+use crate::geometry::both::of_both;
 use crate::geometry::point::corners;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
@@ -129,7 +130,7 @@ impl Cells {
     /// ```
     #[inline]
     fn rows_of(&self, [a, b]: [[f64; 2]; 2], mut see: impl FnMut(usize, usize, usize)) {
-        let place = |p: [f64; 2]| [0, 1].map(|i| (p[i] - self.low[i]) * self.scale[i]);
+        let place = |p: [f64; 2]| of_both([0, 1], |i: usize| (p[i] - self.low[i]) * self.scale[i]);
         let ([mut u, mut v], [mut s, mut t]) = (place(a), place(b));
         if v > t {
             (u, v, s, t) = (s, t, u, v);
@@ -142,8 +143,8 @@ impl Cells {
             return;
         }
         for row in bottom..=top {
-            let [from, to] = [row as f64 - MARGIN, (row + 1) as f64 + MARGIN].map(|at| at.clamp(v, t));
-            let [from, to] = [from, to].map(|at| u + (at - v) * slope);
+            let [from, to] = of_both([row as f64 - MARGIN, (row + 1) as f64 + MARGIN], |at| at.clamp(v, t));
+            let [from, to] = of_both([from, to], |at| u + (at - v) * slope);
             if let Some((first, last)) = span(from.min(to), from.max(to), self.count[0]) {
                 see(row, first.max(left), last.min(right));
             }
@@ -215,7 +216,7 @@ impl Search<'_> {
     /// lower than they are high. So an item is in few cells on the average.
     fn sides(&self, items: &[u32], frame: &Frame, each: usize) -> [usize; 2] {
         let within = |item: u32, i: usize| {
-            let [a, b] = self.ends(item).map(|p| self.offset(p)[i]);
+            let [a, b] = of_both(self.ends(item), |p| self.offset(p)[i]);
             (a.max(b).min(frame.low[i] + frame.size[i]) - a.min(b).max(frame.low[i])).max(0.0)
         };
         let mean = |i: usize| items.iter().map(|&item| within(item, i)).sum::<f64>() / items.len() as f64;
@@ -238,7 +239,7 @@ impl Search<'_> {
         let mut sum = 0_usize;
         for &item in items {
             let set = self.set(item);
-            cells.rows_of(self.ends(item).map(|p| self.offset(p)), |row, first, last| {
+            cells.rows_of(of_both(self.ends(item), |p| self.offset(p)), |row, first, last| {
                 let run = number(first, row)..=number(last, row);
                 runs.push([*run.start() as u32, *run.end() as u32, item]);
                 sum += last - first + 1;
@@ -281,14 +282,14 @@ impl Search<'_> {
         for (i, &one) in list.iter().enumerate() {
             self.spend(list.len() - i)?;
             let (ends, set) = (self.ends(one), self.set(one));
-            let [a, b] = ends.map(|p| self.points[p as usize]);
+            let [a, b] = of_both(ends, |p| self.points[p as usize]);
             let (bottom, top) = (a.y.min(b.y), a.y.max(b.y));
             for &other in &list[i + 1..] {
                 if set & self.set(other) != 0 {
                     continue;
                 }
                 let others = self.ends(other);
-                let [c, d] = others.map(|p| self.points[p as usize]);
+                let [c, d] = of_both(others, |p| self.points[p as usize]);
                 if d.x < a.x || b.x < c.x || c.y.max(d.y) < bottom || top < c.y.min(d.y) {
                     continue;
                 }

@@ -220,7 +220,7 @@ fn quotients(ends: [[Point; 2]; 2]) -> [Option<DoubleDouble>; 2] {
     let times = |p: [DoubleDouble; 2], q: [DoubleDouble; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
     let (w, t) = (times(along, across), times(between, across));
     let part = |start: f64, along| DoubleDouble::of(start).times(w).plus(t.times(along));
-    [part(a.x, along[0]), part(a.y, along[1])].map(|part| part.over(w))
+    [part(a.x, along[0]).over(w), part(a.y, along[1]).over(w)]
 }
 
 /// Whether one pair of segments is the other one, moved. Then their crossings lie from each other as their first ends do.
@@ -230,7 +230,8 @@ pub(in crate::plane) fn is_moved(one: [[Point; 2]; 2], other: [[Point; 2]; 2]) -
 
 /// Along both segments, and from the first to the second, exactly.
 fn vectors([[a, b], [c, d]]: [[Point; 2]; 2]) -> [[DoubleDouble; 2]; 3] {
-    [(a, b), (c, d), (a, c)].map(|(p, q)| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)])
+    let vector = |p: Point, q: Point| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)];
+    [vector(a, b), vector(c, d), vector(a, c)]
 }
 
 /// Of the doubles round `q` the one with the smallest rest; of two the lower one.

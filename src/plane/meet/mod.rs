@@ -26,6 +26,7 @@ mod grid;
 use super::Point;
 use super::status::Status;
 use super::sweep::rightwards;
+use crate::geometry::both::of_both;
 pub(crate) use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::{left_to_right, orientation};
@@ -222,7 +223,7 @@ impl<O: Observer<SweepEvent>> Sweep<'_, O> {
     }
 
     fn ends(&self, edge: u32) -> [Point; 2] {
-        self.edges[edge as usize].map(|p| self.points[p as usize])
+        of_both(self.edges[edge as usize], |p| self.points[p as usize])
     }
 
     /// Where the event point lies from the edge: `Greater` = above.

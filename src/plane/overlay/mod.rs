@@ -31,6 +31,7 @@ pub use region::{Operation, ParseOperationError, Parts};
 
 use super::meet::Grid;
 use super::{ArrangeOptions, Arranged, Point, SegmentsError, Subdivision};
+use crate::geometry::both::of_both;
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId, VertexMap};
 use labels::Sources;
 
@@ -182,7 +183,7 @@ impl Graph {
             self.points.push(s.points[v]);
         }
         for e in s.dcel.edges() {
-            if let [Some(from), Some(to)] = s.edge_ends(e).map(|v| places[v.index()]) {
+            if let [Some(from), Some(to)] = of_both(s.edge_ends(e), |v| places[v.index()]) {
                 self.segments.push([from, to]);
                 self.halves.push(e.half_edges()[0]);
             }

@@ -9,6 +9,7 @@
 //! ```
 
 use super::Overlay;
+use crate::geometry::both::of_both;
 use crate::ids::{EdgeId, FaceId, FaceMap, must_be_below};
 use crate::plane::{SegmentsError, Subdivision};
 use std::str::FromStr;
@@ -129,7 +130,7 @@ impl Overlay {
             chosen[f] = inside(f);
         }
         let stays = |e: &EdgeId| {
-            let [left, right] = e.half_edges().map(|h| chosen[s.dcel.face(h)]);
+            let [left, right] = of_both(e.half_edges(), |h| chosen[s.dcel.face(h)]);
             left != right || (left && parts == Parts::Kept)
         };
         let edges: Vec<EdgeId> = s.dcel.edges().filter(stays).collect();

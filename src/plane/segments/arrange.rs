@@ -10,6 +10,7 @@ use super::settled::{proved_by_faces, where_nothing_meets};
 use super::split::split as split_all;
 use super::trace::{Seen, look, trace};
 use super::{ArrangeOptions, Arranged};
+use crate::geometry::both::of_both;
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::plane::meet::{Grid, NoMeetings};
@@ -75,7 +76,7 @@ impl Input {
 
     fn of(distinct: Distinct, points: &[Point], segments: &[[u32; 2]]) -> Self {
         let number = &distinct.number;
-        let ends = |i: usize| segments[i].map(|p| number[p as usize]);
+        let ends = |i: usize| of_both(segments[i], |p| number[p as usize]);
         let has_length = |i: &usize| {
             let [a, b] = ends(*i);
             a != b
@@ -264,7 +265,7 @@ impl Chains {
             let long = if zero.next_if_eq(&segment).is_some() { None } else { long.next() };
             spans.push(long.map_or(0..0, |&h| {
                 let Stretch { range, backwards: against } = &pieces.stretches[(h >> 1) as usize];
-                let [start, end] = [range.start, range.end].map(|place| starts[place as usize]);
+                let [start, end] = of_both([range.start, range.end], |place| starts[place as usize]);
                 if *against == (h & 1 == 1) {
                     return start..end;
                 }

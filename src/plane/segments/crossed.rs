@@ -11,6 +11,7 @@
 
 use super::angles::sort_by;
 use super::graph::Graph;
+use crate::geometry::both::of_both;
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::{left_to_right, sort_key};
 use crate::plane::Point;
@@ -42,10 +43,10 @@ impl Cuts {
         let touched = Groups::new(edges.len(), touches.iter().map(|&[edge, point]| (edge as usize, point)));
         // Edges that cross at a point that both of them pass are cut there already.
         crossings.retain(|&[e, g]| {
-            let [one, other] = [e, g].map(|edge| touched.of(edge as usize));
+            let [one, other] = of_both([e, g], |edge| touched.of(edge as usize));
             one.is_empty() || other.is_empty() || one.iter().all(|point| !other.contains(point))
         });
-        let ends = |e: u32| edges[e as usize].map(|p| points[p as usize]);
+        let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
         let both = |[e, g]: [u32; 2]| [ends(e), ends(g)];
         let placed: Vec<Placed> = crossings.iter().map(|&pair| placed_at(both(pair))).collect();
         let order = from_left_to_right(&placed, |i| both(crossings[i as usize])).ok_or(NoMeetings::LeftToSweep)?;
@@ -54,7 +55,9 @@ impl Cuts {
         let old = points.len() as u32;
         let mut cuts: Vec<(u32, u32)> = Vec::with_capacity(2 * order.len() + touches.len());
         for (number, &i) in (old..).zip(&order) {
-            cuts.extend(crossings[i as usize].map(|edge| (edge, number)));
+            let [one, other] = crossings[i as usize];
+            cuts.push((one, number));
+            cuts.push((other, number));
         }
         if touches.is_empty() {
             return Ok(Self { cuts, new });
@@ -128,7 +131,7 @@ fn exactly(some: &mut [(u64, u32)], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Op
     let all: Vec<Crossed> = if are_moved { Vec::new() } else { some.iter().map(crossed).collect() };
     let compare = |a: u32, b: u32| {
         if are_moved {
-            let [p, q] = [a, b].map(|place| ends(some[place as usize].1)[0][0]);
+            let [p, q] = of_both([a, b], |place| ends(some[place as usize].1)[0][0]);
             return left_to_right(p, q);
         }
         all[a as usize].order_to(&all[b as usize])

@@ -8,6 +8,7 @@
 
 use super::graph::{Graph, Order};
 use super::trace::{OneRings, trace_known};
+use crate::geometry::both::of_both;
 use crate::geometry::grouping::Joined;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
@@ -39,7 +40,7 @@ impl Subdivision {
             points.push(self.points[v]);
             stay.push(v);
         }
-        let ends = edges.iter().map(|&e| self.edge_ends(e).map(|v| number[v.index()])).collect();
+        let ends = edges.iter().map(|&e| of_both(self.edge_ends(e), |v| number[v.index()])).collect();
         let graph = Graph { points, edges: ends, order: Order::default() };
 
         let mut one_rings = OneRings::new(&graph)?;
@@ -53,7 +54,7 @@ impl Subdivision {
 
         let mut joined = Joined::none(self.dcel.face_bound());
         for e in self.dcel.edges().filter(|e| new_edge[e.index()] == GONE) {
-            let [f, g] = e.half_edges().map(|h| self.dcel.face(h).number());
+            let [f, g] = of_both(e.half_edges(), |h| self.dcel.face(h).number());
             joined.join(f, g);
         }
         let old_face = |h: u32| self.dcel.face(edges[h as usize >> 1].half_edges()[h as usize & 1]);
@@ -73,7 +74,7 @@ impl Subdivision {
     /// Turns a one-ring, which is in counter-clockwise order, so that it begins with the first half-edge
     /// counter-clockwise from straight down. That is most often so already.
     fn begin_straight_down(&self, ring: &mut [HalfEdgeId]) {
-        let ends = |h: HalfEdgeId| [self.dcel.origin(h), self.dcel.origin(h.twin())].map(|v| self.points[v]);
+        let ends = |h: HalfEdgeId| of_both([h, h.twin()], |h| self.points[self.dcel.origin(h)]);
         let before = |g: HalfEdgeId, h: HalfEdgeId| {
             let ([p, q], [_, r]) = (ends(g), ends(h));
             // Straight up is right, straight down is left.

@@ -23,6 +23,7 @@
 use super::TriangulateError;
 use super::patch::{Patch, PatchComponent};
 use super::{Corner, MonotoneEvent};
+use crate::geometry::both::of_both;
 use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::status::{Place, Status};
@@ -142,7 +143,7 @@ impl<O: Observer<MonotoneEvent>> Sweep<'_, O> {
     /// Joins the corner of `h` to the helper, and tells of it; returns the half-edge that leaves the corner of `h`.
     fn join(&mut self, h: u32, helper: u32) -> u32 {
         self.observer.observe(|| {
-            let [from, to] = [h, helper].map(|h| self.patch.vertex(self.patch.origin(h)));
+            let [from, to] = of_both([h, helper], |h| self.patch.vertex(self.patch.origin(h)));
             MonotoneEvent::Diagonal { from, to }
         });
         self.patch.join(h, helper)
