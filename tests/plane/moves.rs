@@ -262,3 +262,17 @@ fn a_component_is_not_taken_into_a_face_that_grows() {
         }
     }
 }
+
+/// Of three edges round a middle one turns over its neighbour: counter-clockwise over v2, clockwise over v3.
+#[test]
+fn the_neighbour_that_an_edge_would_turn_over_is_named() {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let points = [at(0., 0.), at(4., 0.), at(0., 4.), at(1., -4.)];
+    let s = Subdivision::from_graph(&points, &[[0, 1], [0, 2], [0, 3]]).unwrap();
+    for (to, over) in [(at(-1., 3.), 2), (at(-1., -4.), 3)] {
+        match s.can_set_point(VertexId::new(1), to) {
+            Err(SetPointError::Crosses { crossed, .. }) => assert_eq!(s.destination(crossed), VertexId::new(over)),
+            other => panic!("{to}: {other:?}"),
+        }
+    }
+}

@@ -355,8 +355,9 @@ mod tests {
 
     #[test]
     fn the_first_vertex_beside_a_way_is_found_between_its_ends() {
-        // A way from v0 to v1 along a slope of 3 to 4; v2 to v6 lie 5, 10, 5, 0 and 0 beside it, 50, 25, 75, -25 and 125 along.
-        let beside = |along: f64, off: f64| at(4.0 * along - 3.0 * off, 3.0 * along + 4.0 * off);
+        // A way from v0 to v1 along a slope of 3 to 4; v2 to v6 lie 5, 10, 5, 0 and 0 beside it, 50, 25, 75, -25 and
+        // 125 along; v7 and v8 beside its ends.
+        let beside = |along: f64, off: f64| at(7.0 + 4.0 * along - 3.0 * off, 3.0 * along + 4.0 * off - 2.0);
         let points = [
             beside(0., 0.),
             beside(20., 0.),
@@ -365,6 +366,8 @@ mod tests {
             beside(15., -1.),
             beside(-5., 0.),
             beside(25., 0.),
+            beside(0., 1.),
+            beside(20., 1.),
         ];
         let s = Subdivision::from_graph(&points, &[]).expect("loose points");
         let first = |ends: [u32; 2], near: f64| {
