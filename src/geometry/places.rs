@@ -116,6 +116,24 @@ fn of_crowd<K: Ord>(cell: &mut [u32], key: impl Fn(u32) -> K, first_of: &mut [u3
     }
 }
 
+/// The numbers of coordinates from the smallest to the greatest, equal ones by their numbers; each with its [`sort_key`].
+///
+/// Cost: expected O(n) where they are spread evenly; O(n log n) at worst.
+pub(crate) fn by_coordinate(coordinates: &[f64]) -> Vec<(u64, u32)> {
+    let least = coordinates.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = coordinates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let columns = coordinates.len() / 2 + 1;
+    let scale = if greatest > least { columns as f64 / (greatest - least) } else { 0.0 };
+    // Monotone, whatever is rounded; a cast takes what is no number for 0.
+    let column = |i: usize| (((coordinates[i] - least) * scale) as usize).min(columns - 1);
+    let (starts, list) = grouped(columns, coordinates.len(), column);
+    let mut order: Vec<(u64, u32)> = list.into_iter().map(|i| (sort_key(coordinates[i as usize]), i)).collect();
+    for ends in starts.windows(2).filter(|ends| ends[1] - ends[0] > 1) {
+        order[ends[0] as usize..ends[1] as usize].sort_unstable();
+    }
+    order
+}
+
 /// Things at numbered points, from left to right, those above each other from bottom to top; those at one place by the
 /// numbers of their points, then by themselves. O(n log n).
 pub(crate) fn from_left_to_right<T: Copy + Ord>(
@@ -172,6 +190,20 @@ mod tests {
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}");
             points.sort_by(|p, q| p.x.total_cmp(&q.x));
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}, from left to right");
+        }
+    }
+
+    #[test]
+    fn coordinates_are_sorted_however_they_crowd() {
+        for seed in 1..100_u64 {
+            let mut random = xorshift(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let mut next = |below: u64| (random() >> 20) % below;
+            let (size, far) = ([3, 1_000, 1 << 40][seed as usize % 3], [0.0, 1e9][seed as usize / 3 % 2]);
+            let mut list: Vec<f64> = (0..next(200)).map(|_| next(size) as f64 * 0.1 - far).collect();
+            list.extend([-0.0, 0.0, 1e300, -1e-300].iter().filter(|_| seed % 7 == 0));
+            let mut expected: Vec<(u64, u32)> = (0..).zip(&list).map(|(i, &x)| (sort_key(x), i)).collect();
+            expected.sort_unstable();
+            assert_eq!(by_coordinate(&list), expected, "seed {seed}");
         }
     }
 }

@@ -13,6 +13,7 @@ use super::angles::sort_by;
 use super::graph::Graph;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::Groups;
+use crate::geometry::places::by_coordinate;
 use crate::geometry::predicates::{left_to_right, sort_key};
 use crate::plane::Point;
 use crate::plane::meet::{Crossed, Meetings, NoMeetings, is_moved, meetings, placed as placed_at};
@@ -99,8 +100,7 @@ type Placed = (Point, f64, [f64; 2]);
 
 /// The order of crossings, as they are before rounding, from left to right. None if two of them are one point.
 fn from_left_to_right(placed: &[Placed], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Option<Vec<u32>> {
-    let mut order: Vec<(u64, u32)> = placed.iter().zip(0..).map(|((p, ..), i)| (sort_key(p.x), i)).collect();
-    order.sort_unstable();
+    let mut order = by_coordinate(&placed.iter().map(|(p, ..)| p.x).collect::<Vec<_>>());
     let right = |&(_, i): &(u64, u32)| placed[i as usize].2;
     for same in order.chunk_by_mut(|a, b| a.0 == b.0).filter(|same| same.len() > 1) {
         same.iter_mut().for_each(|place| place.0 = sort_key(right(place)[0]));
