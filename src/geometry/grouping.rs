@@ -65,16 +65,18 @@ pub(crate) struct Groups<T> {
 impl<T: Copy> Groups<T> {
     /// Pairs of a group below `groups` and a value; they are gone through twice. O(groups + pairs).
     pub(crate) fn new(groups: usize, pairs: impl Iterator<Item = (usize, T)> + Clone) -> Self {
-        let mut starts = vec![0_u32; groups + 1];
-        pairs.clone().for_each(|(group, _)| starts[group + 1] += 1);
-        (0..groups).for_each(|g| starts[g + 1] += starts[g]);
+        // The place behind the start of a group goes on from there to its end, where the next group starts.
+        let mut starts = vec![0_u32; groups + 2];
+        pairs.clone().for_each(|(group, _)| starts[group + 2] += 1);
+        (1..=groups).for_each(|g| starts[g + 1] += starts[g]);
         let any = pairs.clone().next();
-        let mut values = any.map_or_else(Vec::new, |(_, value)| vec![value; starts[groups] as usize]);
-        let mut next = starts.clone();
+        let mut values = any.map_or_else(Vec::new, |(_, value)| vec![value; starts[groups + 1] as usize]);
         for (group, value) in pairs {
-            values[next[group] as usize] = value;
-            next[group] += 1;
+            let place = &mut starts[group + 1];
+            values[*place as usize] = value;
+            *place += 1;
         }
+        starts.pop();
         Self { starts, values }
     }
 

@@ -133,7 +133,7 @@ impl Subdivision {
         let mut graph = Graph::default();
         let [places_of_a, places_of_b] = [graph.add(self), graph.add(other)];
         let options = ArrangeOptions { merge: true, split: true, grid, ..ArrangeOptions::default() };
-        let arranged = Self::arrange_two(&graph.points, &graph.segments, self.dcel.edge_count(), &options)?;
+        let arranged = Self::arrange_two(graph.points, graph.segments, self.dcel.edge_count(), &options)?;
         let (of_a, of_b) = graph.halves.split_at(self.dcel.edge_count());
         let edges = arranged.subdivision.dcel.edge_bound();
         let edges_of_a = Sources::new(edges, of_a, |i| arranged.chain(i));

@@ -70,8 +70,22 @@ impl Input {
 
     /// The same for two graphs one behind the other: the first so many segments are known to meet at common ends only, and
     /// so are the others. What is equal is joined.
-    pub(super) fn two_graphs(points: &[Point], segments: &[[u32; 2]], first: usize) -> Self {
-        Self { first: Some(first), ..Self::of(Distinct::without_order(points), points, segments) }
+    pub(super) fn two_graphs(points: Vec<Point>, segments: Vec<[u32; 2]>, first: usize) -> Self {
+        let mut input = match Distinct::of_all(points) {
+            Ok(distinct) if segments.iter().all(|[a, b]| a != b) => Self {
+                distinct,
+                count: segments.len(),
+                long: segments,
+                names: Vec::new(),
+                zero: Vec::new(),
+                first: None,
+                points_given: true,
+                faults: Vec::new(),
+            },
+            Ok(Distinct { points, .. }) | Err(points) => Self::of(Distinct::without_order(&points), &points, &segments),
+        };
+        input.first = Some(first);
+        input
     }
 
     fn of(distinct: Distinct, points: &[Point], segments: &[[u32; 2]]) -> Self {

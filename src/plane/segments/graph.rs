@@ -64,6 +64,16 @@ impl Distinct {
         Self { points, order: Order::default(), number }
     }
 
+    /// The same of points that are all distinct; gives others back.
+    pub(super) fn of_all(mut given: Vec<Point>) -> Result<Self, Vec<Point>> {
+        let number = first_of_equals(&given);
+        if (0..).zip(&number).any(|(i, &first)| first != i) {
+            return Err(given);
+        }
+        given.iter_mut().for_each(|p| *p = Point::new(p.x + 0.0, p.y + 0.0));
+        Ok(Self { points: given, order: Order::default(), number })
+    }
+
     /// The distinct points, and the number of each given one, of which the first one at its place is known.
     fn numbered(given: &[Point], mut number: Vec<u32>) -> (Vec<Point>, Vec<u32>) {
         let mut points = Vec::with_capacity(given.len());

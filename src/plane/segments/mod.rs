@@ -345,12 +345,12 @@ impl Subdivision {
 
     /// The same for the edges of two subdivisions, those of the first one first.
     pub(super) fn arrange_two(
-        points: &[Point],
-        segments: &[[u32; 2]],
+        points: Vec<Point>,
+        segments: Vec<[u32; 2]>,
         first: usize,
         options: &ArrangeOptions,
     ) -> Result<Arranged, SegmentsError> {
-        check_graph(points, segments)?;
+        check_graph(&points, &segments)?;
         arrange(Input::two_graphs(points, segments, first), options)
     }
 }

@@ -75,18 +75,20 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
             Single::new(graph.points.len(), &pieces, |_, _| {})
         };
         graph.edges = edges;
-        split.follow(&starts, &half);
-        if all_is_known && cuts.len() < graph.edges.len() / FEW_CUTS {
+        let few_are_bent = all_is_known && cuts.len() < graph.edges.len() / FEW_CUTS;
+        let mut is_straight = Vec::new();
+        if few_are_bent {
             let mut is_bent = vec![false; starts.len() - 1];
             cuts.iter().filter(|&&(_, p)| p >= old).for_each(|&(edge, _)| is_bent[edge as usize] = true);
-            let mut is_straight = vec![0; graph.edges.len()];
+            is_straight = vec![0; graph.edges.len()];
             for (pieces, _) in starts.windows(2).zip(is_bent).filter(|&(_, is_bent)| !is_bent) {
                 let pieces = &half[pieces[0] as usize..pieces[1] as usize];
                 pieces.iter().for_each(|piece| is_straight[(piece >> 1) as usize] = 1);
             }
-            if let Some(seen) = look_at_bent(graph, &is_straight)? {
-                return Ok((split, seen));
-            }
+        }
+        split.follow(starts, half);
+        if few_are_bent && let Some(seen) = look_at_bent(graph, &is_straight)? {
+            return Ok((split, seen));
         }
         if let Some(made) = proved_by_faces(graph)? {
             return Ok((split, Seen::Made(Box::new(made))));
@@ -146,7 +148,12 @@ fn cut(graph: &Graph, cuts: &[(u32, u32)], place: impl Fn(u32) -> u32) -> (Vec<u
 
 impl Split {
     /// Replaces every edge of the chains by its pieces: those of edge e are `half[starts[e]..starts[e + 1]]`.
-    fn follow(&mut self, starts: &[u32], half: &[u32]) {
+    fn follow(&mut self, starts: Vec<u32>, half: Vec<u32>) {
+        if self.rounds == 1 {
+            // Every edge was its own chain.
+            (self.starts, self.chain) = (starts, half);
+            return;
+        }
         let mut chain = Vec::with_capacity(half.len());
         let mut chain_starts = Vec::with_capacity(self.starts.len());
         for range in self.starts.windows(2) {
