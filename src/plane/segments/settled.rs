@@ -7,11 +7,17 @@
 //! ```
 
 use super::angles::one_rings_by_angle;
-use super::crossed::Cuts;
 use super::graph::Graph;
 use super::trace::{Seen, trace};
+use crate::geometry::both::of_both;
+use crate::geometry::point::corners;
 use crate::plane::Subdivision;
+use crate::plane::meet::meetings;
+use crate::plane::sweep::rightwards;
 use crate::topology::TooMany;
+
+/// Columns and rows of the grid by which edges near others are found.
+const SIDE: usize = 256;
 
 /// Faces with more sides than this on the average are left to a sweep.
 const FEW_SIDES: usize = 12;
@@ -19,12 +25,48 @@ const FEW_SIDES: usize = 12;
 /// A look at a graph in which some edges are known to meet at common ends only: `is_straight[e]` is 1 for them, 0 for the
 /// others. None if something meets, or if so many pairs may meet that a sweep is needed.
 ///
-/// Cost: that of [`Cuts::without_sweep`], and O(d log d) for a vertex with d edges.
+/// Cost: that of [`meetings`] for the edges near those that are not straight; O(n), and O(d log d) for a vertex with d edges.
 pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<Seen>, TooMany> {
-    if !Cuts::without_sweep(graph, is_straight).is_ok_and(|cuts| cuts.is_empty()) {
+    let Graph { points, edges, .. } = graph;
+    let near = near_bent(graph, is_straight);
+    let mut is_loose = vec![true; points.len()];
+    edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
+    let loose: Vec<u32> = (0..points.len() as u32).filter(|&p| is_loose[p as usize]).collect();
+    let sets: Vec<u8> = near.iter().map(|&e| is_straight[e as usize]).collect();
+    let near: Vec<[u32; 2]> = near.into_iter().map(|e| edges[e as usize]).collect();
+    let found = meetings(points, &rightwards(points, &near), &loose, &sets);
+    if !found.is_ok_and(|found| found.crossings.is_empty() && found.touches.is_empty()) {
         return Ok(None);
     }
     where_nothing_meets(graph).map(Some)
+}
+
+/// The edges that are not straight, and those that may be near enough to meet one of them: both have a cell of a coarse grid
+/// in common.
+fn near_bent(graph: &Graph, is_straight: &[u8]) -> Vec<u32> {
+    let Graph { points, edges, .. } = graph;
+    let [low, high] = corners(points.iter().copied());
+    let scale = of_both([high.x - low.x, high.y - low.y], |size| if size > 0.0 { SIDE as f64 / size } else { 0.0 });
+    // Monotone, so that boxes with a point in common have a cell in common; a cast takes what is no number for 0.
+    let at = |p: u32, i: usize| {
+        let p = points[p as usize];
+        (([p.x - low.x, p.y - low.y][i] * scale[i]) as usize).min(SIDE - 1)
+    };
+    let span = |[a, b]: [u32; 2], i: usize| {
+        let [a, b] = of_both([a, b], |p| at(p, i));
+        a.min(b)..a.max(b) + 1
+    };
+    let mut is_marked = vec![false; SIDE * SIDE];
+    for (&ends, _) in edges.iter().zip(is_straight).filter(|&(_, &is_straight)| is_straight == 0) {
+        for row in span(ends, 1) {
+            is_marked[row * SIDE..][span(ends, 0)].fill(true);
+        }
+    }
+    let is_near = |&e: &u32| {
+        let (columns, mut rows) = (span(edges[e as usize], 0), span(edges[e as usize], 1));
+        rows.any(|row| is_marked[row * SIDE..][columns.clone()].contains(&true))
+    };
+    (0..edges.len() as u32).filter(is_near).collect()
 }
 
 /// A look at a graph in which nothing meets but at common ends.
@@ -111,5 +153,37 @@ mod tests {
             }
         }
         assert!(proved > 3_000 && islands > 1_000 && wrong > 3_000, "{proved}, {islands}, {wrong}, {left} left");
+    }
+
+    #[test]
+    fn whatever_may_meet_a_bent_edge_is_near_it() {
+        let (mut near, mut far) = (0, 0);
+        for seed in 1..60_u64 {
+            let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let (reach, far_off) = ([1, 40, 2_000][seed as usize % 3], [0.0, 1e7][seed as usize / 3 % 2]);
+            let points: Vec<Point> = (0..200)
+                .flat_map(|_| {
+                    let [x, y] = [next(2_000), next(if seed % 5 == 0 { 1 } else { 2_000 })];
+                    let to = [x + next(reach + 1), y + next(reach + 1)];
+                    [[x, y], to].map(|[x, y]| Point::new(x as f64 * 0.1 - far_off, y as f64 * 0.1))
+                })
+                .collect();
+            let edges: Vec<[u32; 2]> = (0..200).map(|e| [2 * e + e % 2, 2 * e + 1 - e % 2]).collect();
+            let is_straight: Vec<u8> = edges.iter().map(|_| u8::from(next(40) > 0)).collect();
+            let graph = Graph { points, edges, ..Graph::default() };
+            let found = near_bent(&graph, &is_straight);
+            let bounds = |e: usize| corners(graph.edges[e].map(|p| graph.points[p as usize]));
+            for e in 0..graph.edges.len() {
+                let meets = |g: usize| {
+                    let ([a, b], [c, d]) = (bounds(e), bounds(g));
+                    a.x <= d.x && c.x <= b.x && a.y <= d.y && c.y <= b.y
+                };
+                let may_meet = (0..graph.edges.len()).any(|g| is_straight[g] == 0 && meets(g));
+                assert!(!may_meet || found.contains(&(e as u32)), "seed {seed}, edge {e}");
+                near += u32::from(may_meet);
+                far += u32::from(!found.contains(&(e as u32)));
+            }
+        }
+        assert!(near > 1_000 && far > 4_000, "{near} near, {far} far");
     }
 }
