@@ -680,6 +680,19 @@ fn as_many_faults_are_told_as_are_asked_for() {
     }
 }
 
+/// Triangles that meet at their ends only, as they are.
+#[test]
+fn small_faces_go_to_a_grid_as_all_others() {
+    let points: Vec<Point> = (0..36).map(|i| Point::new(f64::from(i % 6) * 1.25, f64::from(i / 6))).collect();
+    let s = Subdivision::delaunay(&points).unwrap().subdivision;
+    let segments: Vec<Segment> = s.edges().map(|e| e.half_edges().map(|h| s.point(s.origin(h)))).collect();
+    for (size, displaced) in [(0.25, 0), (1.0, 24)] {
+        let rounded = Subdivision::arrange_segments(&segments, &ArrangeOptions { grid: Some(size), ..SPLIT }).unwrap();
+        assert_right(&rounded.subdivision, &format!("grid {size}"));
+        assert_eq!((rounded.grid, rounded.displaced_points), (Some(size), displaced));
+    }
+}
+
 #[test]
 fn what_stays_in_place_is_not_said_to_have_moved() {
     let at = |x: f64, y: f64| Point::new(x, y);

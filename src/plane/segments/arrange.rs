@@ -163,18 +163,22 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     let (split, seen) = match cuts {
         Some(cuts) if cuts.is_empty() => (Split::none(whole), where_nothing_meets(&graph)?),
         Some(cuts) => split_all(&mut graph, None, Some(cuts))?,
-        None => {
-            let seen = match proved_by_faces(&mut graph)? {
-                Some(made) => Seen::Made(Box::new(made)),
-                None => look(&graph)?,
-            };
-            if options.split && (seen.intersection().is_some() || grid.is_some()) {
-                pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));
-                split_all(&mut graph, grid, None)?
-            } else {
-                (Split::none(whole), seen)
-            }
+        None if grid.is_some() => {
+            pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));
+            split_all(&mut graph, grid, None)?
         }
+        None => match proved_by_faces(&mut graph)? {
+            Some(made) => (Split::none(whole), Seen::Made(Box::new(made))),
+            None => {
+                let seen = look(&graph)?;
+                if options.split && seen.intersection().is_some() {
+                    pieces = pieces.or_else(|| Some(Pieces::cut(&mut graph)));
+                    split_all(&mut graph, None, None)?
+                } else {
+                    (Split::none(whole), seen)
+                }
+            }
+        },
     };
     let pieces = pieces.unwrap_or_else(|| Pieces::whole(whole));
     refuse(&input, &half, &graph, &seen, options.most_faults.clamp(1, usize::MAX - 1))?;
