@@ -166,3 +166,21 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
         self.1.record(change);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::Dcel;
+
+    #[test]
+    fn both_half_edges_of_a_removed_edge_lose_their_values() {
+        let side = HalfEdgeId(0);
+        let mut square = Dcel::polygon(4).unwrap();
+        let (diagonal, _) = square.split_face(side, HalfEdgeId(4)).unwrap();
+        let halves = [diagonal, diagonal.twin(), side];
+        let mut marks = Followed::new(0);
+        halves.iter().for_each(|&h| marks[h] = 1);
+        square.join_faces_with(diagonal, &mut marks).unwrap();
+        assert_eq!(halves.map(|h| marks[h]), [0, 0, 1]);
+    }
+}

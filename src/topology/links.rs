@@ -478,3 +478,24 @@ impl Dcel {
         self.pen().clear(e.half_edges(), rec);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::NoRecorder;
+
+    #[test]
+    fn structures_with_the_same_columns_differ_if_the_free_numbers_do() {
+        let mut free = Dcel::new();
+        let v = free.add_vertex_record(&mut NoRecorder);
+        let mut kept = free.clone();
+        kept.keep_ids();
+        assert_eq!(free, kept);
+        free.remove_vertex_record(v, &mut NoRecorder);
+        kept.remove_vertex_record(v, &mut NoRecorder);
+        assert_eq!(free.outgoing, kept.outgoing);
+        assert_ne!(free, kept);
+        kept.release_ids();
+        assert_eq!(free, kept);
+    }
+}

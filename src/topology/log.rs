@@ -107,3 +107,28 @@ impl<C> Recorder for Log<C> {
         self.kernel.record(change);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_with_an_own_change_alone_is_not_empty() {
+        let mut log = Log::new();
+        assert!(log.is_empty());
+        log.push('a');
+        assert!(!log.is_empty());
+    }
+
+    #[test]
+    fn a_log_tells_steps_and_both_kinds_of_changes_in_the_order_in_which_they_came() {
+        let (mut dcel, mut log, mut copy) = (Dcel::new(), Log::new(), Log::new());
+        for (number, what, own) in [(1, "One.", 'a'), (2, "Two.", 'b')] {
+            log.step(number, what);
+            dcel.add_vertex_record(&mut log);
+            log.push(own);
+        }
+        log.clone().replay(&mut copy, Log::push);
+        assert_eq!(copy, log);
+    }
+}

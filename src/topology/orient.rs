@@ -129,3 +129,13 @@ fn neighbours(polygons: &PolygonList) -> Groups<Beside> {
     pairs.sort_unstable_by_key(|&(face, beside)| (face, beside.face));
     Groups::new(polygons.face_count(), pairs.into_iter().map(|(face, beside)| (face as usize, beside)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_equal_parts_the_one_with_the_lowest_face_stays() {
+        assert_eq!(faces_to_turn(&PolygonList::from_triangles(&[[0, 1, 2], [1, 2, 3]])), Ok(vec![1]));
+    }
+}

@@ -358,3 +358,22 @@ impl Dcel {
         faces.is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_step_of_an_own_edit_is_told_before_its_first_change() {
+        let mut heard = Journal::new();
+        let answer = Dcel::new().edit_with(&mut heard, |e| {
+            for (number, what) in [(1, "One."), (2, "Two.")] {
+                e.step(number, what);
+                e.add_vertex()?;
+            }
+            Ok::<_, TooMany>(())
+        });
+        assert_eq!(answer, Ok(()));
+        assert_eq!(heard.steps().iter().map(|step| (step.number, step.start)).collect::<Vec<_>>(), [(1, 0), (2, 1)]);
+    }
+}

@@ -467,4 +467,10 @@ mod tests {
         assert_eq!((dcel.vertex_count(), dcel.face_count()), (4, 3));
         assert_eq!((dcel.outgoing(VertexId(3)), dcel.half_edge(FaceId(2))), (None, None));
     }
+
+    #[test]
+    #[should_panic(expected = "there is no v3: there are 3 vertices")]
+    fn the_first_number_beyond_the_vertices_is_not_that_of_a_removed_one() {
+        let _ = Dcel::polygon(3).expect("three corners").outgoing(VertexId(3));
+    }
 }

@@ -511,6 +511,18 @@ fn two_loops_in_a_circle() -> Table {
     table
 }
 
+/// In the second structure alone, loops join both faces: in the first each loop has the same face on both sides.
+#[test]
+fn a_face_of_a_circle_in_the_second_structure_is_named_by_its_number_there() {
+    let circle = two_loops_in_a_circle();
+    let mut apart = circle.clone();
+    row(&mut apart, h(1)).face = Some(f(1));
+    row(&mut apart, h(2)).face = Some(f(0));
+    apart.faces[0].as_mut().unwrap().half_edge = Some(h(2));
+    apart.faces[1].as_mut().unwrap().inner_components = vec![InnerComponent::Cycle(h(1))];
+    assert_eq!(isomorphic(&apart, &circle), Err(Difference::Undecided { face: f(0) }));
+}
+
 #[test]
 fn broken_views_are_refused_and_never_hang() {
     for seed in 0..3_000 {

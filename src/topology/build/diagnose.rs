@@ -99,3 +99,25 @@ fn locate<F: Faces + ?Sized>(faces: &F, edge: &[Use]) -> Vec<Place> {
     });
     places
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::PolygonList;
+
+    /// Both run from v0 to v1.
+    #[test]
+    fn a_face_and_a_hole_with_the_same_corners_are_not_the_same_face_twice() {
+        let (triangle, around) = ([0, 1, 2], [3, 4, 5]);
+        let [mut hole_last, mut hole_first] = [PolygonList::new(), PolygonList::new()];
+        hole_last.push_face(&triangle);
+        hole_last.push_face(&around);
+        hole_last.push_hole(&triangle);
+        hole_first.push_face(&around);
+        hole_first.push_hole(&triangle);
+        hole_first.push_face(&triangle);
+        for faces in [hole_last, hole_first] {
+            assert_eq!(clash(&faces), BuildError::MixedWinding { u: 0, v: 1, first: 0, second: 1 });
+        }
+    }
+}

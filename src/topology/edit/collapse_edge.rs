@@ -204,3 +204,18 @@ impl Dcel {
         Ok(gone)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_face_beside_the_edge_may_pass_one_end_twice() {
+        let h = HalfEdgeId(0);
+        for corner in [h, HalfEdgeId(2)] {
+            let mut square = Dcel::polygon(4).unwrap();
+            square.split_vertex(corner, corner).unwrap();
+            assert_eq!(square.can_collapse_edge(h), Ok(()), "a twig at the origin of {corner}");
+        }
+    }
+}

@@ -116,3 +116,26 @@ impl Bijection {
         if agree { self.pair(a, b) } else { Err(self.to.get(&a).copied()) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{IsomorphismOptions, isomorphic_with};
+    use super::*;
+    use crate::topology::Dcel;
+
+    /// Two pentagons, each cut into a triangle and a quadrilateral on one side, and one half-edge that both share.
+    #[test]
+    fn elements_are_named_by_their_numbers_in_the_structure_they_are_in() {
+        let said = |from, ends: [u32; 2], shared| {
+            let [one, other] = ends.map(|to| {
+                let mut cut = Dcel::polygon(5).unwrap();
+                cut.split_face(HalfEdgeId(from), HalfEdgeId(to)).unwrap();
+                cut
+            });
+            let fixed = |element| element == Element::HalfEdge(HalfEdgeId(shared));
+            isomorphic_with(&one, &other, &IsomorphismOptions::new().fixed(&fixed)).unwrap_err().to_string()
+        };
+        assert_eq!(said(1, [5, 7], 6), "h11.origin = v3, which corresponds to v3 (expected v4)");
+        assert_eq!(said(2, [6, 8], 8), "h6.prev = h10, which corresponds to nothing there (expected h0)");
+    }
+}

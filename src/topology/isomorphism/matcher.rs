@@ -155,7 +155,8 @@ impl<'a> Matcher<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::{Dcel, IsomorphismOptions};
+    use crate::ids::Element;
+    use crate::topology::{Dcel, IsomorphismOptions, NoRecorder};
 
     /// Colours rule most wrong starts out before any walk; the walk must not rely on that.
     #[test]
@@ -176,5 +177,41 @@ mod tests {
         assert!(!walk(&classes, 0, 8), "f1 of one class onto f1 of another");
         let mut matcher = Matcher::new(&world);
         assert!(matcher.pair_faces(1, 2) && !matcher.walk(&world.face_label, 0, 8), "f1 is paired with f0 already");
+    }
+
+    /// Walks make no such map; the last check must not rely on that.
+    #[test]
+    fn a_finished_map_is_refused_if_labels_or_faces_disagree() {
+        let square = Dcel::polygon(4).unwrap();
+        let finish = |options: &IsomorphismOptions, to: [u32; 8], face_to: [u32; 2]| {
+            let world = World::new(&square, &square, options).unwrap();
+            let mut matcher = Matcher::new(&world);
+            for (a, b) in (0..).zip(to) {
+                matcher.to[a] = b + 8;
+            }
+            for (f, g) in (0..).zip(face_to) {
+                matcher.face_to[f] = g + 2;
+            }
+            matcher.finish().is_ok()
+        };
+        let key = |v: VertexId| [u64::from(v.number() == 0), 0];
+        let is_face = |element| matches!(element, Element::Face(_));
+        let (any, keys) = (IsomorphismOptions::new(), IsomorphismOptions::new().keys(&key, &key));
+        let faces = IsomorphismOptions::new().fixed(&is_face);
+        let turned = [2, 3, 4, 5, 6, 7, 0, 1];
+        assert!(finish(&any, turned, [0, 1]));
+        assert!(!finish(&keys, turned, [0, 1]), "v0 with a key onto v1 without");
+        assert!(!finish(&any, turned, [1, 0]), "the faces go elsewhere than their half-edges");
+        let turned_over = [1, 0, 7, 6, 5, 4, 3, 2];
+        assert!(finish(&any, turned_over, [1, 0]));
+        assert!(!finish(&faces, turned_over, [1, 0]), "f0 onto f1, though both are fixed");
+    }
+
+    #[test]
+    fn a_finished_map_is_refused_if_a_face_has_no_partner() {
+        let mut face = Dcel::new();
+        face.add_face_record(&mut NoRecorder);
+        let world = World::new(&face, &face, &IsomorphismOptions::new()).unwrap();
+        assert!(Matcher::new(&world).finish().is_err());
     }
 }

@@ -212,3 +212,24 @@ fn counts(a: &Flat<'_>, b: &Flat<'_>) -> Result<(), Difference> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Which, isomorphic_with};
+    use super::*;
+    use crate::topology::Dcel;
+
+    #[test]
+    fn a_fixed_half_edge_that_only_the_second_view_has_is_named_by_its_number_there() {
+        let triangle = Dcel::polygon(3).unwrap();
+        let mut other = triangle.clone();
+        other.split_edge(HalfEdgeId(0)).unwrap();
+        other.join_edges(HalfEdgeId(2)).unwrap();
+        let gone = triangle.half_edges().find(|&h| !other.has_half_edge(h)).unwrap().into();
+        let fixed = |element: Element| element == gone;
+        assert_eq!(
+            isomorphic_with(&other, &triangle, &IsomorphismOptions::new().fixed(&fixed)),
+            Err(Difference::Unpaired { element: gone, which: Which::Second, fixed: true })
+        );
+    }
+}

@@ -203,3 +203,19 @@ fn judge(
     }
     ControlFlow::Continue(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ids::FaceId;
+    use crate::topology::{FaceRow, Table};
+
+    /// The face without a boundary may be the outer one.
+    #[test]
+    fn a_lost_pointer_to_the_outer_face_is_all_that_is_told_of_a_face_without_boundary() {
+        let face = Some(FaceRow::default());
+        let table = Table { faces: vec![face], outer_face: Some(FaceId(1)), ..Table::default() };
+        let told: Vec<String> = violations(&table).iter().map(ToString::to_string).collect();
+        assert_eq!(told, ["R2: outer_face = f1, but f1 does not exist"]);
+    }
+}
