@@ -78,11 +78,7 @@ pub(crate) fn first_of_equals<P: Copy + Into<[f64; N]>, const N: usize>(points: 
     let at = |i: u32| -> [f64; N] { points[i as usize].into() };
     for bucket in Buckets::new(points).all() {
         if bucket.len() > FEW {
-            let key = |i: u32| at(i).map(sort_key);
-            bucket.sort_unstable_by_key(|&i| (key(i), i));
-            for same in bucket.chunk_by(|&i, &j| key(i) == key(j)) {
-                same.iter().for_each(|&i| first_of[i as usize] = same[0]);
-            }
+            of_crowd(bucket, |i| at(i).map(sort_key), &mut first_of, |_| {});
             continue;
         }
         for (place, &i) in bucket.iter().enumerate() {
@@ -91,6 +87,20 @@ pub(crate) fn first_of_equals<P: Copy + Into<[f64; N]>, const N: usize>(points: 
         }
     }
     first_of
+}
+
+/// Finds equal points among many: by a sort. Gives the first one of each place to `found`.
+pub(crate) fn of_crowd<K: Ord>(
+    crowd: &mut [u32],
+    key: impl Fn(u32) -> K,
+    first_of: &mut [u32],
+    mut found: impl FnMut(u32),
+) {
+    crowd.sort_unstable_by_key(|&i| (key(i), i));
+    for same in crowd.chunk_by(|&i, &j| key(i) == key(j)) {
+        same.iter().for_each(|&i| first_of[i as usize] = same[0]);
+        found(same[0]);
+    }
 }
 
 /// For each of some distinct points the number of the one with the same coordinates among other distinct points, else

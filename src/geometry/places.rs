@@ -10,7 +10,7 @@
 //!
 //! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
 
-use super::equal::FEW;
+use super::equal::{FEW, of_crowd};
 use super::grouping::grouped;
 use super::point::{Point, corners};
 use super::predicates::sort_key;
@@ -107,15 +107,6 @@ fn above_each_other(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
     (first_of, by_place)
 }
 
-/// The same for the points of one cell, which are many: by a sort. Gives the first one of each place to `found`.
-fn of_crowd<K: Ord>(cell: &mut [u32], key: impl Fn(u32) -> K, first_of: &mut [u32], mut found: impl FnMut(u32)) {
-    cell.sort_unstable_by_key(|&i| (key(i), i));
-    for same in cell.chunk_by(|&i, &j| key(i) == key(j)) {
-        same.iter().for_each(|&i| first_of[i as usize] = same[0]);
-        found(same[0]);
-    }
-}
-
 /// The numbers of coordinates from the smallest to the greatest, equal ones by their numbers; each with its [`sort_key`].
 ///
 /// Cost: expected O(n) where they are spread evenly; O(n log n) at worst.
@@ -154,6 +145,7 @@ pub(crate) fn from_left_to_right<T: Copy + Ord>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::equal::first_of_equals;
     use crate::geometry::random::xorshift;
     use std::collections::BTreeMap;
 
@@ -188,6 +180,12 @@ mod tests {
                 });
             }
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}");
+            assert_eq!(first_of_equals(&points), by_one_map(&points).0, "seed {seed}");
+            // In space, with few heights over each place.
+            let lifted: Vec<[f64; 3]> = points.iter().map(|p| [p.x, p.y, [-0.0, 0.0, 1.0][next(3) as usize]]).collect();
+            let here = |p: [f64; 3]| move |q: &[f64; 3]| q.partial_cmp(&p) == Some(std::cmp::Ordering::Equal);
+            let equal = |i: usize| lifted.iter().position(here(lifted[i])).unwrap_or(i) as u32;
+            assert_eq!(first_of_equals(&lifted), (0..lifted.len()).map(equal).collect::<Vec<_>>(), "seed {seed}");
             points.sort_by(|p, q| p.x.total_cmp(&q.x));
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}, from left to right");
         }

@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn some_points_have_the_same_edge_below_as_all_of_them() {
-        let (mut found, mut swept) = (0, 0);
+        let (mut found, mut swept) = ([0; 2], [0; 2]);
         for seed in 1..400_u64 {
             let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
             let count = 2 + next(40);
@@ -104,15 +104,17 @@ mod tests {
             let all = sweep_in_order(&points, &edges, &by_place, false, |_| ()).below;
             let share = 1 + next(12);
             let asked: Vec<u32> = by_place.iter().copied().filter(|_| next(share) == 0).collect();
-            for known in [Some(&by_place[..]), None] {
+            for (way, known) in [Some(&by_place[..]), None].into_iter().enumerate() {
                 let some = edges_below(&points, &edges, known, asked.iter().copied());
                 for &p in &asked {
                     assert_eq!(some[p as usize], all[p as usize], "seed {seed}, point {p}");
-                    found += u32::from(some[p as usize] != NOTHING);
+                    found[way] += u32::from(some[p as usize] != NOTHING);
                 }
-                swept += u32::from(some == all);
+                swept[way] += u32::from(some == all);
             }
         }
-        assert!(found > 1_000 && swept > 20 && swept < 380, "{found} {swept}");
+        for (found, swept) in found.into_iter().zip(swept) {
+            assert!(found > 1_000 && swept > 20 && swept < 380, "{found} {swept}");
+        }
     }
 }

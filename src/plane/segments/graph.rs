@@ -5,7 +5,8 @@
 //!   vertices  v0          v1          v1          v0                 is joined, however close
 //! ```
 //!
-//! Equal points are found in cells of a grid (`geometry/places.rs`); their order from left to right serves the sweep.
+//! Equal points are found without any order (`geometry/equal.rs`). Their order from left to right serves the sweep, and is made
+//! when one asks for it (`geometry/places.rs`).
 
 use super::error::SegmentFault;
 use crate::geometry::equal::{FEW, NONE, equals_among, first_of_equals};

@@ -140,7 +140,7 @@ pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMan
     let leftmost = loose.iter().map(|loose| loose.leftmost.number());
     let below = below.unwrap_or_else(|| edges_below(points, edges, order.if_known(), leftmost));
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), std::mem::take(points).into());
-    let edge_below = |v: VertexId| below.get(v.index()).filter(|&&edge| edge != NOTHING).map(|&edge| EdgeId::new(edge));
+    let edge_below = |v: VertexId| (below[v.index()] != NOTHING).then(|| EdgeId::new(below[v.index()]));
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
     let Ok(()) = subdivision.place_inner_components(loose, edge_below, fits);
     Ok(subdivision)
