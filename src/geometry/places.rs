@@ -126,20 +126,25 @@ pub(crate) fn by_coordinate(coordinates: &[f64]) -> Vec<(u64, u32)> {
 }
 
 /// Things at numbered points, from left to right, those above each other from bottom to top; those at one place by the
-/// numbers of their points, then by themselves. O(n log n).
+/// numbers of their points, then by themselves.
+///
+/// Cost: expected O(n) where they are spread evenly; O(n log n) at worst.
 pub(crate) fn from_left_to_right<T: Copy + Ord>(
     things: impl Iterator<Item = (u32, T)>,
     at: impl Fn(u32) -> Point,
 ) -> Vec<(u32, T)> {
-    // By whole numbers that stand in the list: comparing the points themselves would look them up at each step.
-    let mut order: Vec<(u64, u32, T)> = things.map(|(p, thing)| (sort_key(at(p).x), p, thing)).collect();
-    order.sort_unstable();
-    for above_each_other in order.chunk_by_mut(|a, b| a.0 == b.0) {
-        if above_each_other.first().map(|e| e.1) != above_each_other.last().map(|e| e.1) {
-            above_each_other.sort_unstable_by_key(|&(_, p, thing)| (sort_key(at(p).y), p, thing));
+    let things: Vec<(u32, T)> = things.collect();
+    let order = by_coordinate(&things.iter().map(|&(p, _)| at(p).x).collect::<Vec<_>>());
+    let mut sorted: Vec<(u32, T)> = order.iter().map(|&(_, i)| things[i as usize]).collect();
+    let mut start = 0;
+    for above_each_other in order.chunk_by(|a, b| a.0 == b.0) {
+        let end = start + above_each_other.len();
+        if above_each_other.len() > 1 {
+            sorted[start..end].sort_unstable_by_key(|&(p, thing)| (sort_key(at(p).y), p, thing));
         }
+        start = end;
     }
-    order.into_iter().map(|(_, p, thing)| (p, thing)).collect()
+    sorted
 }
 
 #[cfg(test)]

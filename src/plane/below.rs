@@ -1,43 +1,74 @@
-//! The edges directly below some points: for few points less than a sweep.
+//! The edges directly below some points, without a sweep.
 //!
 //! ```text
-//!        ●───────●            Points asked for, from left to right: p q. Each edge knows by two counts which of them it
+//!        ●───────●            Few points asked for, from left to right: p q. Each edge knows by two counts which of them it
 //!            p                passes above or below; of those below a point the highest is kept.
 //!     ●───────────────●
 //!          q ●                Counts of points asked for up to the left and up to the right end of an edge: 0 and 2
 //!     ●──────────●            for the lowest.
+//!
+//!     ┌───┬───┬───┐
+//!     │   │ p │   │           Many points: every edge is in the lists of the cells of a grid that it passes. From the cell of
+//!     ├───┼─┆─┼──╱┤           a point the lists are gone through downwards, to the first cell that the highest edge
+//!     │   │ ┆╱│   │           below the point passes below it.
+//!     └───┴───┴───┘
 //! ```
 
 use super::Point;
-use super::sweep::{NOTHING, is_above, sweep, sweep_in_order};
+use super::meet::{Cells, Frame, MARGIN};
+use super::sweep::{NOTHING, is_above, rightwards, sweep, sweep_in_order};
 use crate::geometry::both::of_both;
+use crate::geometry::grouping::Groups;
+use crate::geometry::point::corners;
 use crate::geometry::predicates::{left_to_right, orientation};
+use std::cmp::Ordering;
 
 /// So many edges above and below points are looked at for each edge; a sweep is quicker than more of them.
 const MOST: usize = 4;
 
+/// So many points are few.
+const FEW: usize = 64;
+
+/// So many edges for each cell of the grid.
+const SOME: usize = 3;
+
 /// For each point asked for, the edge directly below it, else [`NOTHING`]; for all other points some answer. The edges meet at
 /// common ends only; `by_place` holds all points from left to right, if their order is known.
 ///
-/// Cost: O(n + k) for n edges that pass above or below points asked for k times, with another O(n log m) for m points asked
-/// for if the order is not known; O(n log n) where k is more than a few n.
+/// Cost: O(n) for n edges, where they are about as long as they are apart, or where few of them pass above or below points
+/// asked for; else O(n log n).
 pub(super) fn edges_below(
     points: &[Point],
     edges: &[[u32; 2]],
     by_place: Option<&[u32]>,
     asked: impl Iterator<Item = u32>,
 ) -> Vec<u32> {
-    let mut below = vec![NOTHING; points.len()];
     let compare = |&p: &u32, &q: &u32| left_to_right(points[p as usize], points[q as usize]);
     let mut asked: Vec<u32> = asked.collect();
-    asked.sort_unstable_by(compare);
-    asked.dedup();
     // Nothing lies below the first point of all.
     let first = (0..points.len() as u32).min_by(compare);
     asked.retain(|&p| Some(p) != first);
     if asked.is_empty() {
+        return vec![NOTHING; points.len()];
+    }
+    if asked.len() > FEW
+        && by_place.is_none()
+        && let Some(below) = by_cells(points, edges, &asked)
+    {
         return below;
     }
+    asked.sort_unstable_by(compare);
+    asked.dedup();
+    by_counts(points, edges, by_place, &asked)
+        .or_else(|| by_place.and_then(|_| by_cells(points, edges, &asked)))
+        .unwrap_or_else(|| match by_place {
+            Some(by_place) => sweep_in_order(points, edges, by_place, false, |_| ()).below,
+            None => sweep(points, edges, &asked, false).below,
+        })
+}
+
+/// The same for points from left to right; nothing if edges pass above or below them too often.
+fn by_counts(points: &[Point], edges: &[[u32; 2]], by_place: Option<&[u32]>, asked: &[u32]) -> Option<Vec<u32>> {
     // By point, how many of those asked for come up to it.
     let count = match by_place {
         Some(by_place) => {
@@ -49,7 +80,10 @@ pub(super) fn edges_below(
             }
             count
         }
-        None => (0..points.len() as u32).map(|p| asked.partition_point(|q| compare(q, &p).is_le()) as u32).collect(),
+        None => {
+            let up_to = |&p: &Point| asked.partition_point(|&q| left_to_right(points[q as usize], p).is_le());
+            points.iter().map(|p| up_to(p) as u32).collect()
+        }
     };
     let passed = |ends: &[u32; 2]| {
         let [a, b] = of_both(*ends, |p| count[p as usize]);
@@ -57,27 +91,111 @@ pub(super) fn edges_below(
     };
     let work: usize = edges.iter().map(|ends| passed(ends).len()).sum();
     if work > MOST * edges.len() {
-        return match by_place {
-            Some(by_place) => sweep_in_order(points, edges, by_place, false, |_| ()),
-            None => sweep(points, edges, &asked, false),
-        }
-        .below;
+        return None;
     }
-    let rightwards = |edge: [u32; 2]| {
-        let [a, b] = of_both(edge, |p| points[p as usize]);
-        if left_to_right(a, b).is_gt() { [b, a] } else { [a, b] }
-    };
-    for (e, &edge) in (0..).zip(edges) {
-        for &p in &asked[passed(&edge)] {
-            let [a, b] = rightwards(edge);
-            let best = &mut below[p as usize];
-            let is_below = orientation(a, b, points[p as usize]).is_gt();
-            if is_below && (*best == NOTHING || is_above([a, b], rightwards(edges[*best as usize]))) {
-                *best = e;
+    let mut below = Below::new(points, rightwards(points, edges));
+    for (e, edge) in (0..).zip(edges) {
+        asked[passed(edge)].iter().for_each(|&p| below.may_be(e, p));
+    }
+    Some(below.of)
+}
+
+/// The same for points in any order; nothing if edges pass too many cells.
+fn by_cells(points: &[Point], edges: &[[u32; 2]], asked: &[u32]) -> Option<Vec<u32>> {
+    let most = 16 * (edges.len() + asked.len());
+    let mut below = Below::new(points, rightwards(points, edges));
+    let [low, high] = corners(points.iter().copied());
+    let offset = |p: u32| [points[p as usize].x - low.x, points[p as usize].y - low.y];
+    let frame = Frame { low: [0.0; 2], size: [high.x - low.x, high.y - low.y] };
+    let (mut wide, mut tall) = (0.0, 0.0);
+    for ends in edges {
+        let [[a, b], [c, d]] = of_both(*ends, offset);
+        (wide, tall) = (wide + (a - c).abs(), tall + (b - d).abs());
+    }
+    let mean = of_both([wide, tall], |sum| sum / edges.len() as f64);
+    let cells = Cells::new(&frame, frame.sides(edges.len() / SOME, mean, frame.finest()));
+    let [columns, rows] = cells.count;
+    // The cells of each edge, row by row: from one to another.
+    let mut runs: Vec<[u32; 3]> = Vec::with_capacity(edges.len());
+    let mut steps = columns * rows / 4;
+    for (e, ends) in (0..).zip(edges) {
+        cells.rows_of(of_both(*ends, offset), |row, first, last| {
+            runs.push([(row * columns + first) as u32, (row * columns + last) as u32, e]);
+            steps += 1 + last - first;
+        });
+        if steps > most {
+            return None;
+        }
+    }
+    let passed = runs.iter().flat_map(|&[first, last, e]| (first as usize..=last as usize).map(move |cell| (cell, e)));
+    let lists = Groups::new(columns * rows, passed);
+    drop(runs);
+    // By cell, the next one below that edges pass.
+    let mut next = vec![NOTHING; columns * rows];
+    for cell in columns..next.len() {
+        let below = cell - columns;
+        next[cell] = if lists.of(below).is_empty() { next[below] } else { below as u32 };
+    }
+    for &p in asked {
+        let place = cells.place(offset(p));
+        let [column, row] = [0, 1].map(|i: usize| (place[i] as usize).min(cells.count[i] - 1));
+        let mut cell = row * columns + column;
+        loop {
+            let list = lists.of(cell);
+            list.iter().for_each(|&e| below.may_be(e, p));
+            steps += 1 + list.len();
+            // Whatever passes between the edge and the point passes this cell, or one above it.
+            let bottom = (cell / columns) as f64 + MARGIN;
+            if next[cell] == NOTHING || below.height(p, low).is_some_and(|y| cells.place([0.0, y])[1] > bottom) {
+                break;
             }
+            cell = next[cell] as usize;
+        }
+        if steps > most {
+            return None;
         }
     }
-    below
+    Some(below.of)
+}
+
+/// The highest edges below points, of those that were looked at.
+struct Below<'a> {
+    points: &'a [Point],
+    /// From left to right.
+    edges: Vec<[u32; 2]>,
+    of: Vec<u32>,
+}
+
+impl<'a> Below<'a> {
+    fn new(points: &'a [Point], edges: Vec<[u32; 2]>) -> Self {
+        Self { points, edges, of: vec![NOTHING; points.len()] }
+    }
+
+    #[inline]
+    fn ends(&self, edge: u32) -> [Point; 2] {
+        of_both(self.edges[edge as usize], |p| self.points[p as usize])
+    }
+
+    /// An edge that may be the one below a point.
+    #[inline]
+    fn may_be(&mut self, edge: u32, point: u32) {
+        let ([a, b], p) = (self.ends(edge), self.points[point as usize]);
+        let passes = p.x >= a.x && p.x <= b.x && left_to_right(a, p).is_lt() && left_to_right(p, b).is_le();
+        if !passes || orientation(a, b, p) != Ordering::Greater {
+            return;
+        }
+        let best = self.of[point as usize];
+        if best == NOTHING || is_above([a, b], self.ends(best)) {
+            self.of[point as usize] = edge;
+        }
+    }
+
+    /// How high the edge below a point is there, above the lowest point of all; rounded.
+    fn height(&self, point: u32, low: Point) -> Option<f64> {
+        let edge = Some(self.of[point as usize]).filter(|&edge| edge != NOTHING)?;
+        let [a, b] = self.ends(edge);
+        Some((a.y - low.y) + (b.y - a.y) * ((self.points[point as usize].x - a.x) / (b.x - a.x)))
+    }
 }
 
 #[cfg(test)]
@@ -88,7 +206,7 @@ mod tests {
 
     #[test]
     fn some_points_have_the_same_edge_below_as_all_of_them() {
-        let (mut found, mut swept) = ([0; 2], [0; 2]);
+        let (mut found, mut swept, mut in_cells) = ([0; 2], [0; 2], [0; 2]);
         for seed in 1..400_u64 {
             let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
             let count = 2 + next(40);
@@ -112,9 +230,15 @@ mod tests {
                 }
                 swept[way] += u32::from(some == all);
             }
+            let Some(some) = by_cells(&points, &edges, &asked) else { continue };
+            for &p in &asked {
+                assert_eq!(some[p as usize], all[p as usize], "seed {seed}, point {p} in its cells");
+                in_cells[usize::from(all[p as usize] == NOTHING)] += 1;
+            }
         }
         for (found, swept) in found.into_iter().zip(swept) {
             assert!(found > 1_000 && swept > 20 && swept < 380, "{found} {swept}");
         }
+        assert!(in_cells[0] > 1_000 && in_cells[1] > 100, "{in_cells:?}");
     }
 }

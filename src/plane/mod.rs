@@ -33,8 +33,9 @@
 //   plane_journal.rs            watching the edits, undo
 //   locate/                     where a point lies: scan, walk, index
 //   triangulate/                faces into triangles: ears, monotone pieces              hull/      points -> convex hull
-//   sweep.rs status.rs          what lies below; the edges under the sweep line, in order     below.rs the same for few points
+//   sweep.rs status.rs          what lies below; the edges under the sweep line, in order     below.rs the same for some points
 //   cycle.rs rings.rs           which way round, which inner cycle in which face              seed.rs    to start from
+//   marks.rs                    boxes in a coarse grid: what may meet them
 
 mod affine;
 mod below;
@@ -45,6 +46,7 @@ mod delaunay;
 pub mod edit;
 mod hull;
 mod locate;
+mod marks;
 mod measure;
 mod meet;
 mod mend;

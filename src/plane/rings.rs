@@ -2,7 +2,7 @@
 
 use super::cycle::surrounds;
 use super::{PlaneChange, PlaneRecorder, Point, Subdivision};
-use crate::geometry::predicates::left_to_right;
+use crate::geometry::places::from_left_to_right;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::topology::{InnerComponent, NoRecorder};
 
@@ -46,18 +46,20 @@ impl Subdivision {
     /// Cost: O(r log r) for r inner components, and O(length) for each cycle that is not one of `f0`.
     pub(super) fn place_inner_components<E>(
         &mut self,
-        mut loose: Vec<Loose>,
+        loose: &[Loose],
         edge_below: impl Fn(VertexId) -> Option<EdgeId>,
         mut check: impl FnMut(&Self, VertexId, Option<FaceId>, FaceId) -> Result<(), E>,
     ) -> Result<(), E> {
-        loose.sort_by(|a, b| left_to_right(self.points[a.leftmost], self.points[b.leftmost]));
-        let mut outer = Vec::new();
-        for Loose { ring, leftmost, owner } in loose {
+        let places = (0..).zip(loose).map(|(i, loose)| (loose.leftmost.number(), i));
+        let order = from_left_to_right(places, |v| self.points[VertexId::new(v)]);
+        let mut is_outer = vec![false; loose.len()];
+        for (_, i) in order {
+            let Loose { ring, leftmost, owner } = loose[i];
             let below = edge_below(leftmost);
             let face = below.map_or(self.outer_face(), |edge| self.dcel.face(self.upper_half(edge)));
             check(self, leftmost, owner, face)?;
-            if face == self.outer_face() {
-                outer.push(ring);
+            is_outer[i] = face == self.outer_face();
+            if is_outer[i] {
                 continue;
             }
             if owner.is_none() {
@@ -66,7 +68,8 @@ impl Subdivision {
                 self.inner_components.entry(face).or_default().push(ring);
             }
         }
-        self.order_inner_components(outer);
+        let outer = loose.iter().zip(is_outer).filter(|&(_, is_outer)| is_outer).map(|(loose, _)| loose.ring);
+        self.order_inner_components(outer.collect());
         Ok(())
     }
 

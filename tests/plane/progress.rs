@@ -50,9 +50,12 @@ fn stages_go_forward_and_end_with_their_last_step() {
         }),
         ("sweep", "sweeping", 30_000, 4096, &|| {
             let rows: Vec<[Point; 2]> = (0..15_000).map(|i| [0.0, 1.0].map(|x| Point::new(x, f64::from(i)))).collect();
+            drop(Subdivision::from_segments(&rows).unwrap());
+        }),
+        ("crossings", "looking for crossings", 19_600, 4096, &|| {
+            let short = points.iter().map(|p| [*p, Point::new(p.x + 0.003, p.y - 0.002)]).collect::<Vec<_>>();
             let options = ArrangeOptions { split: true, ..ArrangeOptions::default() };
-            // Crossings are looked for, and then it is shown that none is left.
-            drop(Subdivision::arrange_segments(&rows, &options));
+            drop(Subdivision::arrange_segments(&short, &options).unwrap());
         }),
         ("triangulate", "triangulating", 60_000, 4096, &|| {
             // Teeth that lean over, so that it is not monotone.
@@ -62,7 +65,7 @@ fn stages_go_forward_and_end_with_their_last_step() {
             let mut comb = Subdivision::polygon(&corners).unwrap();
             comb.triangulate(TriangulationMethod::Monotone).unwrap();
         }),
-    ] as [(&str, &str, usize, usize, &(dyn Fn() + Sync)); 5]
+    ] as [(&str, &str, usize, usize, &(dyn Fn() + Sync)); 6]
     {
         let (seen, last) = watched(work);
         forward(&seen);

@@ -41,7 +41,7 @@ impl Subdivision {
             NOTHING => None,
             edge => Some(edges[edge as usize]),
         };
-        self.place_inner_components(loose, edge_below, |s, leftmost, owner, face| {
+        self.place_inner_components(&loose, edge_below, |s, leftmost, owner, face| {
             let vertex = leftmost.number();
             match owner {
                 Some(owner) if owner != face => Err(ConvertError::HoleOutside { face: owner.number() - 1, vertex }),

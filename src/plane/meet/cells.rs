@@ -8,18 +8,20 @@
 //!   └───┴───┴───┘
 //! ```
 //!
-//! Whether an edge passes a cell is asked in rounded numbers, with a margin far wider than the rounding: some cells too many.
-//!
 //! Cost: expected O(n + k) for n edges with k meeting pairs, if edges are about as long as they are apart. Where that is
 //! not so, the work breaks off after O(n + k) steps, and the sweep has to do it.
 //!
 //! Source: Franklin, Narayanaswami, Kankanhalli, Sun, Zhou and Wu, *Uniform grids: a technique for intersection detection
 //! on serial and parallel machines*, Auto-Carto 9, 1989.
 
+use super::gap::Gap;
+use super::raster::{Cells, Frame};
 use crate::geometry::both::of_both;
+use crate::geometry::grouping::Groups;
 use crate::geometry::point::corners;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
+use crate::progress::Stage;
 use std::cmp::Ordering;
 
 /// What meets.
@@ -29,6 +31,8 @@ pub(in crate::plane) struct Meetings {
     pub(in crate::plane) crossings: Vec<[u32; 2]>,
     /// Edges with points in their interiors, each pair once.
     pub(in crate::plane) touches: Vec<[u32; 2]>,
+    /// What has no point in common is farther apart than this, if that is known.
+    pub(in crate::plane) gap: Option<Gap>,
 }
 
 /// Why there is no answer.
@@ -47,13 +51,6 @@ const SOME: usize = 3;
 const MANY: usize = 64;
 /// Steps for each edge and each meeting pair, after which the work breaks off.
 const STEPS: usize = 32;
-/// The margin round a cell, as a part of its side.
-const MARGIN: f64 = 1.0 / 64.0;
-/// No cell is narrower or lower than this part of the whole. Then places in a grid are off by a few 2^-21 of a cell.
-const FINEST: f64 = 1.0 / (1_u64 << 32) as f64;
-/// Edges that pass more columns than this in a row are in all cells of their box. The place where another one passes the side
-/// of a row is off by so many times as much: less than the margin.
-const FLAT: f64 = (1 << 10) as f64;
 /// So often a cell that has nearly all edges of a grid is divided again.
 const PATIENCE: u32 = 3;
 
@@ -73,92 +70,49 @@ pub(in crate::plane) fn meetings(
 ) -> Result<Meetings, NoMeetings> {
     let [low, high] = corners(points.iter().copied());
     let whole = Frame { low: [0.0; 2], size: [high.x - low.x, high.y - low.y] };
-    let finest = whole.size.map(|size| FINEST * size);
-    let mut search = Search { points, edges, loose, sets, low, finest, found: Meetings::default(), steps: 0 };
+    let gap = Gap::new([low.x, low.y, high.x, high.y].into_iter().fold(0.0, |reach, x| x.abs().max(reach)));
+    let finest = whole.finest();
+    // Edges of one set may be near each other.
+    let is_apart = sets.is_empty();
+    let found = Meetings::default();
+    let mut search =
+        Search { points, edges, loose, sets, low, finest, gap, is_apart, near: Vec::new(), found, steps: 0 };
     let items: Vec<u32> = (0..(edges.len() + loose.len()) as u32).collect();
     // Where sets are known, large cells come first: most of them have the edges of one set only, and are done.
     let sides = search.sides(&items, &whole, if sets.is_empty() { SOME } else { MANY });
-    search.compare(&items, &whole, sides, PATIENCE)?;
+    let stage = Stage::new("looking for crossings", sides[0] * sides[1]);
+    search.compare(&items, &whole, sides, PATIENCE, |cell| stage.at(cell))?;
     let mut found = search.found;
+    found.gap = search.is_apart.then_some(gap);
     for list in [&mut found.crossings, &mut found.touches] {
-        list.sort_unstable();
-        list.dedup();
+        each_once(list, edges.len());
     }
     Ok(found)
 }
 
-/// A rectangle, from the lower left corner of everything.
-struct Frame {
-    low: [f64; 2],
-    size: [f64; 2],
-}
-
-/// A grid over a frame.
-struct Cells {
-    low: [f64; 2],
-    /// Cells for each unit of length.
-    scale: [f64; 2],
-    count: [usize; 2],
-}
-
-impl Cells {
-    /// So many columns and rows; one where the frame has no width.
-    fn new(frame: &Frame, sides: [usize; 2]) -> Self {
-        let count = [0, 1].map(|i| if frame.size[i] > 0.0 { sides[i].max(1) } else { 1 });
-        let scale = [0, 1].map(|i| if frame.size[i] > 0.0 { count[i] as f64 / frame.size[i] } else { 0.0 });
-        Self { low: frame.low, scale, count }
+/// Puts pairs in order, each once. Their first numbers are below a bound.
+fn each_once(list: &mut Vec<[u32; 2]>, bound: usize) {
+    if list.len() < bound / 8 {
+        list.sort_unstable();
+        list.dedup();
+        return;
     }
-
-    /// A cell with its margin.
-    fn frame(&self, column: usize, row: usize) -> Frame {
-        let side = |i: usize, at: usize| match self.scale[i] {
-            0.0 => (self.low[i], 0.0),
-            scale => (self.low[i] + (at as f64 - MARGIN) / scale, (1.0 + 2.0 * MARGIN) / scale),
-        };
-        let [(x, width), (y, height)] = [side(0, column), side(1, row)];
-        Frame { low: [x, y], size: [width, height] }
-    }
-
-    /// Calls for each row of cells that an edge passes, with the columns from the first to the last.
-    ///
-    /// ```text
-    ///     ┌───┬───┬───┬───┐       What an edge covers of a row lies between its places at the lower and the upper
-    ///   1 │   │   │ ▒▒│▒╱ │       side of the row.
-    ///     ├───┼───┼──╱┼───┤
-    ///   0 │   │▒╱▒│▒▒ │   │
-    ///     └───┴───┴───┴───┘
-    /// ```
-    #[inline]
-    fn rows_of(&self, [a, b]: [[f64; 2]; 2], mut see: impl FnMut(usize, usize, usize)) {
-        let place = |p: [f64; 2]| of_both([0, 1], |i: usize| (p[i] - self.low[i]) * self.scale[i]);
-        let ([mut u, mut v], [mut s, mut t]) = (place(a), place(b));
-        if v > t {
-            (u, v, s, t) = (s, t, u, v);
-        }
-        let Some((bottom, top)) = span(v, t, self.count[1]) else { return };
-        let Some((left, right)) = span(u.min(s), u.max(s), self.count[0]) else { return };
-        let slope = (s - u) / (t - v);
-        if top - bottom < 2 || left == right || slope.abs() > FLAT {
-            (bottom..=top).for_each(|row| see(row, left, right));
-            return;
-        }
-        for row in bottom..=top {
-            let [from, to] = of_both([row as f64 - MARGIN, (row + 1) as f64 + MARGIN], |at| at.clamp(v, t));
-            let [from, to] = of_both([from, to], |at| u + (at - v) * slope);
-            if let Some((first, last)) = span(from.min(to), from.max(to), self.count[0]) {
-                see(row, first.max(left), last.min(right));
-            }
-        }
+    let mut seconds = Groups::new(bound, list.iter().map(|&[first, second]| (first as usize, second)));
+    list.clear();
+    for first in 0..bound {
+        let seconds = seconds.of_mut(first);
+        seconds.sort_unstable();
+        list.extend(seconds.chunk_by(|a, b| a == b).map(|same| [first as u32, same[0]]));
     }
 }
 
-/// The cells from one place to another of a row of so many, and those within the margin; none where all lies beside them.
-#[inline]
-fn span(low: f64, high: f64, count: usize) -> Option<(usize, usize)> {
-    // Casts to signed numbers are the quick ones; they end at the greatest and the smallest number.
-    let (first, last) = ((low - MARGIN) as i64, high + MARGIN);
-    let is_inside = last >= 0.0 && first < count as i64;
-    is_inside.then(|| (first.max(0) as usize, (last as i64 as usize).min(count - 1)))
+/// An item of a cell, with its ends from left to right, and its box.
+struct Near {
+    item: u32,
+    ends: [u32; 2],
+    set: u8,
+    at: [Point; 2],
+    bounds: [[f64; 2]; 2],
 }
 
 /// Edges, and behind them loose points, which are edges from themselves to themselves: the items.
@@ -170,6 +124,11 @@ struct Search<'a> {
     low: Point,
     /// No cell is narrower, nor lower.
     finest: [f64; 2],
+    gap: Gap,
+    /// Whether all that has no point in common was farther apart than the gap.
+    is_apart: bool,
+    /// The items of the cell that is looked at.
+    near: Vec<Near>,
     found: Meetings,
     steps: usize,
 }
@@ -203,12 +162,20 @@ impl Search<'_> {
         if self.steps > most { Err(NoMeetings::LeftToSweep) } else { Ok(()) }
     }
 
-    /// Compares the items of a frame: in the cells of a grid with so many columns and rows, or pair by pair.
-    fn compare(&mut self, items: &[u32], frame: &Frame, sides: [usize; 2], patience: u32) -> Result<(), NoMeetings> {
+    /// Compares the items of a frame: in the cells of a grid with so many columns and rows, each of which is told, or pair by
+    /// pair.
+    fn compare(
+        &mut self,
+        items: &[u32],
+        frame: &Frame,
+        sides: [usize; 2],
+        patience: u32,
+        tell: impl Fn(usize),
+    ) -> Result<(), NoMeetings> {
         if sides[0] * sides[1] < 2 {
             self.pairs(items)
         } else {
-            self.divide(items, &Cells::new(frame, sides), patience)
+            self.divide(items, &Cells::new(frame, sides), patience, &tell)
         }
     }
 
@@ -219,17 +186,13 @@ impl Search<'_> {
             let [a, b] = of_both(self.ends(item), |p| self.offset(p)[i]);
             (a.max(b).min(frame.low[i] + frame.size[i]) - a.min(b).max(frame.low[i])).max(0.0)
         };
-        let mean = |i: usize| items.iter().map(|&item| within(item, i)).sum::<f64>() / items.len() as f64;
-        // A cast takes what is no number for 0.
-        let most = [0, 1].map(|i| ((frame.size[i] / mean(i).max(self.finest[i])) as usize).max(1));
-        let cells = (items.len() / each).max(1);
-        let side = (cells as f64).sqrt().ceil() as usize;
-        let [columns, rows] = most.map(|most| side.min(most));
-        [(cells / rows).clamp(1, most[0]), (cells / columns).clamp(1, most[1])]
+        let mean = [0, 1].map(|i| items.iter().map(|&item| within(item, i)).sum::<f64>() / items.len() as f64);
+        frame.sides(items.len() / each, mean, self.finest)
     }
 
     /// Looks at the items cell by cell.
-    fn divide(&mut self, items: &[u32], cells: &Cells, patience: u32) -> Result<(), NoMeetings> {
+    fn divide(&mut self, items: &[u32], cells: &Cells, patience: u32, tell: &dyn Fn(usize)) -> Result<(), NoMeetings> {
+        self.is_apart &= cells.hold(self.gap.width());
         let number = |column: usize, row: usize| row * cells.count[0] + column;
         let mut starts = vec![0_u32; cells.count[0] * cells.count[1] + 1];
         // Where all items of a cell are of one set, nothing meets.
@@ -264,6 +227,7 @@ impl Search<'_> {
         }
         drop((runs, sets));
         for cell in 0..starts.len() - 1 {
+            tell(cell);
             let list = &lists[starts[cell] as usize..starts[cell + 1] as usize];
             if list.len() < 2 {
                 continue;
@@ -272,34 +236,59 @@ impl Search<'_> {
             let is_nearly_all = 4 * list.len() > 3 * items.len();
             let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
             let sides = if list.len() <= FEW || patience == 0 { [1, 1] } else { self.sides(list, &inner, SOME) };
-            self.compare(list, &inner, sides, patience)?;
+            self.compare(list, &inner, sides, patience, |_| ())?;
         }
         Ok(())
     }
 
     /// Compares items pair by pair.
     fn pairs(&mut self, list: &[u32]) -> Result<(), NoMeetings> {
-        for (i, &one) in list.iter().enumerate() {
+        let width = self.gap.width();
+        // Looked up once, before anything is decided: memory is slower than the comparisons.
+        let mut near = std::mem::take(&mut self.near);
+        near.clear();
+        near.extend(list.iter().map(|&item| self.near(item)));
+        for (i, one) in near.iter().enumerate() {
             self.spend(list.len() - i)?;
-            let (ends, set) = (self.ends(one), self.set(one));
-            let [a, b] = of_both(ends, |p| self.points[p as usize]);
-            let (bottom, top) = (a.y.min(b.y), a.y.max(b.y));
-            for &other in &list[i + 1..] {
-                if set & self.set(other) != 0 {
+            let line = self.gap.line(one.at);
+            let [low, high] = one.bounds;
+            let [low, high] = [[low[0] - width, low[1] - width], [high[0] + width, high[1] + width]];
+            for other in &near[i + 1..] {
+                let [other_low, other_high] = other.bounds;
+                let is_beside = (other_high[0] < low[0])
+                    | (high[0] < other_low[0])
+                    | (other_high[1] < low[1])
+                    | (high[1] < other_low[1]);
+                if is_beside | (one.set & other.set != 0) {
                     continue;
                 }
-                let others = self.ends(other);
-                let [c, d] = of_both(others, |p| self.points[p as usize]);
-                if d.x < a.x || b.x < c.x || c.y.max(d.y) < bottom || top < c.y.min(d.y) {
+                let side = line.has_on_one_side(other.at);
+                if side == Some(true) {
                     continue;
                 }
-                self.pair([one, other], [ends, others], [[a, b], [c, d]])?;
+                match (side, self.gap.line(other.at).has_on_one_side(one.at)) {
+                    (_, Some(true)) => {}
+                    (Some(_), Some(_)) => {
+                        self.found.crossings.push([one.item.min(other.item), one.item.max(other.item)]);
+                    }
+                    _ => self.pair([one.item, other.item], [one.ends, other.ends], [one.at, other.at])?,
+                }
             }
         }
+        self.near = near;
         Ok(())
     }
 
-    /// Two items whose boxes meet.
+    /// An item with all that is asked of it.
+    #[inline]
+    fn near(&self, item: u32) -> Near {
+        let ends = self.ends(item);
+        let at @ [a, b] = of_both(ends, |p| self.points[p as usize]);
+        let bounds = [[a.x, a.y.min(b.y)], [b.x, a.y.max(b.y)]];
+        Near { item, ends, set: self.set(item), at, bounds }
+    }
+
+    /// Two items whose boxes are near each other. Exact.
     fn pair(
         &mut self,
         items: [u32; 2],
@@ -314,13 +303,12 @@ impl Search<'_> {
         if q == r || p == s {
             return Ok(());
         }
-        let sides = [orientation(a, b, c), orientation(a, b, d)];
+        let is_beside = d.x < a.x || b.x < c.x || c.y.max(d.y) < a.y.min(b.y) || a.y.max(b.y) < c.y.min(d.y);
         let is_one_side = |sides: [Ordering; 2]| sides[0] == sides[1] && sides[0].is_ne();
-        if p != q && is_one_side(sides) {
-            return Ok(());
-        }
+        let sides = [orientation(a, b, c), orientation(a, b, d)];
         let others = [orientation(c, d, a), orientation(c, d, b)];
-        if r != s && is_one_side(others) {
+        if is_beside || (p != q && is_one_side(sides)) || (r != s && is_one_side(others)) {
+            self.is_apart = false;
             return Ok(());
         }
         if p == q || r == s {
@@ -332,6 +320,8 @@ impl Search<'_> {
             };
             if is_on {
                 self.found.touches.push([edge, point]);
+            } else {
+                self.is_apart = false;
             }
             return Ok(());
         }

@@ -15,13 +15,17 @@
 //! of many edges through one point as in de Berg et al., *Computational Geometry*, 3rd ed., section 2.1.
 //!
 //! ```text
-//!   cells.rs  All pairs of edges that meet, found in the cells of a grid
-//!   grid.rs   A square grid whose points, and whose lines between pixels, are doubles
+//!   cells.rs   All pairs of edges that meet, found in the cells of a grid
+//!   gap.rs     A distance beside which rounding is small
+//!   grid.rs    A square grid whose points, and whose lines between pixels, are doubles
+//!   raster.rs  The cells of a grid, and which of them an edge passes
 //! ```
 
 mod cells;
 mod crossing;
+mod gap;
 mod grid;
+mod raster;
 
 use super::Point;
 use super::status::Status;
@@ -35,7 +39,9 @@ use crate::topology::{NoObserver, Observer};
 pub(super) use cells::{Meetings, NoMeetings, meetings};
 use crossing::Crossing;
 pub(super) use crossing::{crossing_from, foot_from, is_moved, placed};
+pub(super) use gap::Gap;
 pub(super) use grid::Grid;
+pub(super) use raster::{Cells, Frame, MARGIN};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;

@@ -8,6 +8,7 @@
 
 use super::graph::Graph;
 use super::trace::OneRings;
+use crate::geometry::both::of_both;
 use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
@@ -18,7 +19,17 @@ use std::cmp::Ordering;
 ///
 /// Cost: O(n), and O(d log d) for a vertex with d edges.
 pub(super) fn one_rings_by_angle(graph: &Graph) -> Result<OneRings, TooMany> {
+    Ok(one_rings_where(graph, |_, _| true)?.0)
+}
+
+/// The same, and whether all half-edges that follow each other are as they should be: that is asked with their vertex and
+/// both other ends.
+pub(super) fn one_rings_where(
+    graph: &Graph,
+    are_good: impl Fn(Point, [Point; 2]) -> bool,
+) -> Result<(OneRings, bool), TooMany> {
     let mut one_rings = OneRings::new(graph)?;
+    let mut are_all_good = true;
     let Graph { points, edges, .. } = graph;
     let ends = edges.as_flattened();
     let (starts, mut list) = grouped(points.len(), ends.len(), |h| ends[h] as usize);
@@ -33,11 +44,16 @@ pub(super) fn one_rings_by_angle(graph: &Graph) -> Result<OneRings, TooMany> {
                 sort_two(a, b, order);
             }
             [a, b, c] => sort_three([a, b, c], order),
+            [a, b, c, d] => sort_four([a, b, c, d], order),
             _ => sort_by(ring, &order),
+        }
+        if let [first, .., last] = *ring {
+            let mut pairs = ring.windows(2).map(|pair| [pair[0], pair[1]]).chain([[last, first]]);
+            are_all_good &= pairs.all(|pair| are_good(at, of_both(pair, to)));
         }
         one_rings.link_all(v, ring.iter().copied());
     }
-    Ok(one_rings)
+    Ok((one_rings, are_all_good))
 }
 
 /// Sorts by comparisons that take much longer than the sort.
@@ -62,6 +78,16 @@ fn sort_three([a, b, c]: [&mut u32; 3], order: impl Fn(u32, u32) -> Ordering) {
     if sort_two(b, c, &order) {
         sort_two(a, b, &order);
     }
+}
+
+/// The same for where two edges cross.
+#[inline]
+fn sort_four([a, b, c, d]: [&mut u32; 4], order: impl Fn(u32, u32) -> Ordering) {
+    sort_two(a, b, &order);
+    sort_two(c, d, &order);
+    sort_two(a, c, &order);
+    sort_two(b, d, &order);
+    sort_two(b, c, &order);
 }
 
 /// Which of two places comes first round a point, counter-clockwise from straight down; straight down itself is last.

@@ -16,7 +16,7 @@ use crate::geometry::grouping::Groups;
 use crate::geometry::places::by_coordinate;
 use crate::geometry::predicates::{left_to_right, sort_key};
 use crate::plane::Point;
-use crate::plane::meet::{Crossed, Meetings, NoMeetings, is_moved, meetings, placed as placed_at};
+use crate::plane::meet::{Crossed, Gap, Meetings, NoMeetings, is_moved, meetings, placed as placed_at};
 use crate::plane::sweep::rightwards;
 
 /// The cuts of one round.
@@ -26,6 +26,8 @@ pub(super) struct Cuts {
     pub(super) cuts: Vec<(u32, u32)>,
     /// The new points from left to right, as they were before rounding, and how far each is from its crossing.
     pub(super) new: Vec<(Point, f64)>,
+    /// Edges that have no point in common are farther apart than this, if that is known.
+    pub(super) gap: Option<Gap>,
 }
 
 impl Cuts {
@@ -40,7 +42,7 @@ impl Cuts {
         let mut is_loose = vec![true; points.len()];
         edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
         let loose: Vec<u32> = (0..points.len() as u32).filter(|&p| is_loose[p as usize]).collect();
-        let Meetings { mut crossings, touches } = meetings(points, &edges, &loose, sets)?;
+        let Meetings { mut crossings, touches, gap } = meetings(points, &edges, &loose, sets)?;
         let touched = Groups::new(edges.len(), touches.iter().map(|&[edge, point]| (edge as usize, point)));
         // Edges that cross at a point that both of them pass are cut there already.
         crossings.retain(|&[e, g]| {
@@ -61,7 +63,7 @@ impl Cuts {
             cuts.push((other, number));
         }
         if touches.is_empty() {
-            return Ok(Self { cuts, new });
+            return Ok(Self { cuts, new, gap });
         }
         cuts.extend(touches.iter().map(|&[edge, point]| (edge, point)));
         let compare = |one: u32, other: u32| {
@@ -86,7 +88,7 @@ impl Cuts {
             }
             cuts.extend(list.iter().map(|&point| (edge, point)));
         }
-        Ok(Self { cuts, new })
+        Ok(Self { cuts, new, gap })
     }
 
     /// Whether nothing is to be cut.

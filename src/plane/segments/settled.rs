@@ -6,13 +6,14 @@
 //!       ╱ ╲         the half-edges round each vertex in their order.
 //! ```
 
-use super::angles::one_rings_by_angle;
+use super::angles::{one_rings_by_angle, one_rings_where};
 use super::graph::Graph;
 use super::trace::{Seen, trace};
 use crate::geometry::both::of_both;
 use crate::geometry::point::corners;
 use crate::plane::Subdivision;
-use crate::plane::meet::meetings;
+use crate::plane::marks::Marks;
+use crate::plane::meet::{Gap, meetings};
 use crate::plane::sweep::rightwards;
 use crate::topology::TooMany;
 
@@ -41,32 +42,24 @@ pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<S
     where_nothing_meets(graph).map(Some)
 }
 
+/// A look at a graph whose vertices were rounded by much less than the gap, and in which edges that had no point in common were
+/// farther apart than that. None if half-edges round a vertex are too near each other to tell that nothing meets; see [`Gap`].
+///
+/// Cost: O(n), and O(d log d) for a vertex with d edges.
+pub(super) fn look_within(graph: &Graph, gap: Gap) -> Result<Option<Seen>, TooMany> {
+    let (one_rings, are_apart) = one_rings_where(graph, |from, ends| gap.is_between(from, ends))?;
+    Ok(are_apart.then_some(Seen::OneRings(one_rings)))
+}
+
 /// The edges that are not straight, and those that may be near enough to meet one of them: both have a cell of a coarse grid
 /// in common.
 fn near_bent(graph: &Graph, is_straight: &[u8]) -> Vec<u32> {
     let Graph { points, edges, .. } = graph;
-    let [low, high] = corners(points.iter().copied());
-    let scale = of_both([high.x - low.x, high.y - low.y], |size| if size > 0.0 { SIDE as f64 / size } else { 0.0 });
-    // Monotone, so that boxes with a point in common have a cell in common; a cast takes what is no number for 0.
-    let at = |p: u32, i: usize| {
-        let p = points[p as usize];
-        (([p.x - low.x, p.y - low.y][i] * scale[i]) as usize).min(SIDE - 1)
-    };
-    let span = |[a, b]: [u32; 2], i: usize| {
-        let [a, b] = of_both([a, b], |p| at(p, i));
-        a.min(b)..a.max(b) + 1
-    };
-    let mut is_marked = vec![false; SIDE * SIDE];
-    for (&ends, _) in edges.iter().zip(is_straight).filter(|&(_, &is_straight)| is_straight == 0) {
-        for row in span(ends, 1) {
-            is_marked[row * SIDE..][span(ends, 0)].fill(true);
-        }
-    }
-    let is_near = |&e: &u32| {
-        let (columns, mut rows) = (span(edges[e as usize], 0), span(edges[e as usize], 1));
-        rows.any(|row| is_marked[row * SIDE..][columns.clone()].contains(&true))
-    };
-    (0..edges.len() as u32).filter(is_near).collect()
+    let bounds = |ends: [u32; 2]| corners(of_both(ends, |p| points[p as usize]));
+    let mut bent = Marks::new(corners(points.iter().copied()), SIDE);
+    let marked = edges.iter().zip(is_straight).filter(|&(_, &is_straight)| is_straight == 0);
+    marked.for_each(|(&ends, _)| bent.mark(bounds(ends)));
+    (0..edges.len() as u32).filter(|&e| bent.may_meet(bounds(edges[e as usize]))).collect()
 }
 
 /// A look at a graph in which nothing meets but at common ends.

@@ -18,7 +18,7 @@
 use super::chains::Split;
 use super::crossed::Cuts;
 use super::graph::{Graph, Single};
-use super::settled::{look_at_bent, proved_by_faces};
+use super::settled::{look_at_bent, look_within, proved_by_faces};
 use super::snap::{Plain, snap};
 use super::trace::{Seen, look};
 use crate::geometry::grouping::Groups;
@@ -49,7 +49,7 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
         // Bent edges that cross more often than there are edges do not settle: every round would find still more.
         let most = if split.rounds == 0 { usize::MAX } else { graph.edges.len() };
         let all_is_known = known.is_some();
-        let Some(Cuts { cuts, new }) = known.take().or_else(|| find_cuts(graph, most)) else { break };
+        let Some(Cuts { cuts, new, gap }) = known.take().or_else(|| find_cuts(graph, most)) else { break };
         if cuts.is_empty() {
             return Ok((split, look(graph)?));
         }
@@ -75,6 +75,13 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
             Single::new(graph.points.len(), &pieces, |_, _| {})
         };
         graph.edges = edges;
+        let gap = gap.filter(|gap| all_is_known && are_apart && gap.exceeds(off));
+        if let Some(gap) = gap
+            && let Some(seen) = look_within(graph, gap)?
+        {
+            split.follow(starts, half);
+            return Ok((split, seen));
+        }
         let few_are_bent = all_is_known && cuts.len() < graph.edges.len() / FEW_CUTS;
         let mut is_straight = Vec::new();
         if few_are_bent {
@@ -105,7 +112,7 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
 
 /// Where edges are to be cut; none if there are more than `most` crossings.
 fn find_cuts(graph: &Graph, most: usize) -> Option<Cuts> {
-    let mut found = Cuts { cuts: Vec::new(), new: Vec::new() };
+    let mut found = Cuts { cuts: Vec::new(), new: Vec::new(), gap: None };
     let old = graph.points.len() as u32;
     let flow = visit_intersections(&graph.points, &graph.edges, graph.by_place(), |event| {
         let point = match event.place {
@@ -204,6 +211,49 @@ mod tests {
             segments.push([Point::new(x, y), Point::new(x + 1.0 + 0.3 * next(9) as f64, y + 0.7)]);
         }
         segments
+    }
+
+    /// Bundles of segments that are a few last places apart, across each other, and some that end near them: rounding makes
+    /// some of them meet.
+    fn bundles(next: &mut impl FnMut(u64) -> u64) -> Vec<[Point; 2]> {
+        let mut segments: Vec<[Point; 2]> = Vec::new();
+        let unit = |next: &mut dyn FnMut(u64) -> u64| next(1 << 40) as f64 / (1_u64 << 40) as f64;
+        for _ in 0..2 + next(3) {
+            let ends = [0; 4].map(|_| unit(next));
+            // From far less than the gap to far more.
+            let off = 2f64.powi(-(next(16) as i32) - 38);
+            for _ in 0..1 + next(4) {
+                let [a, b, c, d] = ends.map(|x| x + off * (next(9) as f64 - 4.0));
+                let share = if next(3) == 0 { unit(next) } else { 1.0 };
+                segments.push([Point::new(a, b), Point::new(a + share * (c - a), b + share * (d - b))]);
+            }
+        }
+        for _ in 0..next(4) {
+            let [a, b] = segments[next(segments.len() as u64) as usize];
+            let (at, far) = (unit(next), [unit(next), unit(next)]);
+            segments.push([Point::new(a.x + at * (b.x - a.x), a.y + at * (b.y - a.y)), far.into()]);
+        }
+        segments
+    }
+
+    #[test]
+    fn what_is_told_by_the_gap_is_what_the_sweep_says() {
+        let (mut by_gap, mut by_sweep, mut bent) = (0, 0, 0);
+        for seed in 1..12_000_u64 {
+            let segments = bundles(&mut numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+            let mut graph = graph(&segments);
+            let Ok(cuts) = Cuts::without_sweep(&graph, &[]) else { continue };
+            let mut other = graph.clone();
+            let (split_one, seen_one) = split(&mut graph, None, Some(cuts)).unwrap();
+            let (split_other, seen_other) = split(&mut other, None, None).unwrap();
+            assert_eq!((&split_one.chain, split_one.rounds), (&split_other.chain, split_other.rounds), "seed {seed}");
+            let is_by_gap = split_one.rounds == 1 && matches!(seen_one, Seen::OneRings(_));
+            by_gap += u32::from(is_by_gap);
+            by_sweep += u32::from(split_one.rounds == 1 && !is_by_gap);
+            bent += u32::from(split_one.rounds > 1);
+            assert_eq!(trace(&mut graph, seen_one).unwrap(), trace(&mut other, seen_other).unwrap(), "seed {seed}");
+        }
+        assert!(by_gap > 300 && by_sweep > 300 && bent > 100, "{by_gap} {by_sweep} {bent}");
     }
 
     #[test]

@@ -12,9 +12,11 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
 
 use super::graph::Graph;
+use crate::geometry::point::corners;
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::below::edges_below;
+use crate::plane::marks::Marks;
 use crate::plane::rings::Loose;
 use crate::plane::sweep::{Intersection, NOTHING, OneRing, Swept, sweep_in_order};
 use crate::plane::{Point, Subdivision};
@@ -137,13 +139,39 @@ pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMan
     let Graph { points, edges, order } = graph;
     let mut columns = one_rings.columns;
     let loose = cycles(&mut columns, points)?;
-    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
-    let below = below.unwrap_or_else(|| edges_below(points, edges, order.if_known(), leftmost));
+    let below = below.unwrap_or_else(|| below_of(&loose, &columns, points, edges, order.if_known()));
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), std::mem::take(points).into());
     let edge_below = |v: VertexId| (below[v.index()] != NOTHING).then(|| EdgeId::new(below[v.index()]));
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
-    let Ok(()) = subdivision.place_inner_components(loose, edge_below, fits);
+    let Ok(()) = subdivision.place_inner_components(&loose, edge_below, fits);
     Ok(subdivision)
+}
+
+/// The edges below inner components as far as they tell in which face these lie: for what is in no bounded face there may be
+/// none, and of the others those that no bounded face has beside it are left out.
+fn below_of(
+    loose: &[Loose],
+    columns: &Columns,
+    points: &[Point],
+    edges: &[[u32; 2]],
+    by_place: Option<&[u32]>,
+) -> Vec<u32> {
+    let side = 2 * (loose.len() as f64).sqrt() as usize + 1;
+    let mut bounded = Marks::new(corners(points.iter().copied()), side);
+    for &start in &columns.boundary[1..] {
+        let after = |h: &u32| Some(columns.next[*h as usize]).filter(|&h| h != start);
+        let cycle = std::iter::successors(Some(start), after);
+        bounded.mark(corners(cycle.map(|h| points[columns.origin[h as usize] as usize])));
+    }
+    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
+    let asked = leftmost.filter(|&v| bounded.may_meet([points[v as usize]; 2]));
+    // Where no face is bounded on either side, the edge below lies in the same face as the point.
+    let has_bounded = |e: &u32| [0, 1].iter().any(|side| columns.face[(2 * e + side) as usize] != 0);
+    let names: Vec<u32> = (0..edges.len() as u32).filter(has_bounded).collect();
+    let ends: Vec<[u32; 2]> = names.iter().map(|&e| edges[e as usize]).collect();
+    let mut below = edges_below(points, &ends, by_place, asked);
+    below.iter_mut().filter(|e| **e != NOTHING).for_each(|e| *e = names[*e as usize]);
+    below
 }
 
 /// The same without a sweep, for who knows in which face a cycle lies that runs round something: `face_of` is asked for
@@ -187,18 +215,18 @@ fn cycles(columns: &mut Columns, points: &[Point]) -> Result<Vec<Loose>, TooMany
         // A corner behind the last half-edge of a one-ring looks down, and at a leftmost vertex therefore to the left.
         let (mut leftmost, mut looks_left) = (columns.origin[start as usize], false);
         let mut place = points[leftmost as usize];
-        let mut h = start;
+        let (mut h, mut before) = (start, columns.prev[start as usize]);
         loop {
             columns.face[h as usize] = face;
             let v = columns.origin[h as usize];
             let here = points[v as usize];
             let order = left_to_right(here, place);
             if order.is_le() {
-                let last = columns.prev[h as usize] ^ 1 == columns.outgoing[v as usize];
+                let last = before ^ 1 == columns.outgoing[v as usize];
                 looks_left = last || (order.is_eq() && looks_left);
                 (leftmost, place) = (v, here);
             }
-            h = columns.next[h as usize];
+            (h, before) = (columns.next[h as usize], h);
             if h == start {
                 break;
             }
