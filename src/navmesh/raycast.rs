@@ -164,7 +164,7 @@ impl NavMesh {
                 Exit::Side(side) => Onwards::Wall(face, side, None),
                 Exit::Corner(v) => {
                     let wedge = self.wedges(v).into_iter().find(|wedge| wedge.contains(&face));
-                    self.onwards(v, &wedge.unwrap_or_else(|| vec![face]), &line)
+                    self.onwards(v, &wedge.unwrap_or_else(|| vec![face]), &line, face)
                 }
             };
         }
@@ -179,7 +179,7 @@ impl NavMesh {
     /// The face into which the line starts, or what it runs against at once.
     fn first_face(&self, place: &QueryPoint, line: &Line) -> Onwards {
         let h = match place.location {
-            Location::Vertex(v) => return self.onwards(v, &self.faces_at(place), line),
+            Location::Vertex(v) => return self.onwards(v, &self.faces_at(place), line, place.face),
             Location::Edge(h) => h,
             _ => return Onwards::Into(place.face),
         };
@@ -218,9 +218,10 @@ impl NavMesh {
         foremost.map_or(Exit::Side(range.start), Exit::Corner)
     }
 
-    /// Where the line goes on from the vertex `v`, on which it is: into one of the faces of the wedge, or along a side
-    /// of one up to the vertex that is told; or which closed side of the wedge keeps it back.
-    fn onwards(&self, v: VertexId, wedge: &[FaceId], line: &Line) -> Onwards {
+    /// Where the line goes on from the vertex `v`, on which it is, and to which it came in the face `from`: into one of the
+    /// faces of the wedge, or along a side of one up to the vertex that is told; or which closed side of the wedge keeps it
+    /// back.
+    fn onwards(&self, v: VertexId, wedge: &[FaceId], line: &Line, from: FaceId) -> Onwards {
         let at = self.point(v);
         let mut along = None;
         let mut wall = None;
@@ -239,12 +240,13 @@ impl NavMesh {
                 }
             }
             for (side, leaves) in [(out, of_next.is_gt()), (back, of_prev.is_lt())] {
-                if self.sides[side].across & CLOSED != 0 && (leaves || wall.is_none()) {
+                let is_own = matches!(wall, Some(Onwards::Wall(other, ..)) if other == from);
+                if self.sides[side].across & CLOSED != 0 && leaves && (face == from || !is_own) {
                     wall = Some(Onwards::Wall(face, side, Some(v)));
                 }
             }
         }
-        // A wedge that does not have the direction ends at closed sides.
+        // A wedge that does not have the direction ends at closed sides, and the direction is beyond one of them, or both.
         let first = wedge.first().copied().unwrap_or(FaceId::new(0));
         along.or(wall).unwrap_or_else(|| Onwards::Wall(first, self.range(first).start, Some(v)))
     }

@@ -3,7 +3,7 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Oracle, sides};
 use dcel_kit::FaceId;
-use dcel_kit::navmesh::{LiveMesh, NavMesh, QueryPoint, RaycastError};
+use dcel_kit::navmesh::{LiveMesh, NavMesh, QueryPoint, RaycastError, Side};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision};
 use std::cmp::Ordering;
@@ -101,7 +101,7 @@ fn same_wedge(map: &Map, oracle: &Oracle, v: u32, from: usize, to: usize) -> boo
 
 #[test]
 fn a_ray_ends_where_a_program_in_whole_numbers_says() {
-    let (mut hits, mut clear, mut at_vertices) = (0, 0, 0);
+    let (mut hits, mut clear, mut at_vertices, mut passed) = (0, 0, 0, 0);
     for seed in 0..60 {
         let mut random = Random::new(seed + 14_000);
         let size = 3 + seed as usize % 3;
@@ -151,21 +151,31 @@ fn a_ray_ends_where_a_program_in_whole_numbers_says() {
                 "{context}: {hit:?}"
             );
             let [a, b] = [side.from, side.to].map(|v| mesh.point(v));
+            let is_in_the_way = |side: &Side| {
+                let [a, b] = [side.from, side.to].map(|v| mesh.point(v));
+                orientation(a, b, ends[1]).is_lt()
+            };
+            assert!(is_in_the_way(&side), "{context}: {hit:?}");
             match hit.vertex {
                 Some(v) => {
                     assert!(hit.point == mesh.point(v) && [side.from, side.to].contains(&v), "{context}: {hit:?}");
+                    // It is one of the face that the ray came through, if one of those is in the way there.
+                    if let &[.., before, _] = &*cast.faces {
+                        let mut sides = mesh.sides(before).filter(|side| [side.from, side.to].contains(&v));
+                        let own = sides.find(|side| !side.open && is_in_the_way(side));
+                        assert_eq!(own, None, "{context}: {hit:?} after {before}");
+                        passed += 1;
+                    }
                 }
                 // It runs against the side from its left.
-                None => assert!(
-                    orientation(a, b, ends[1]).is_lt() && orientation(a, b, ends[0]).is_ge(),
-                    "{context}: {hit:?}"
-                ),
+                None => assert!(orientation(a, b, ends[0]).is_ge(), "{context}: {hit:?}"),
             }
             hits += 1;
             at_vertices += usize::from(hit.vertex.is_some());
         }
     }
     assert!(hits > 500 && clear > 300 && at_vertices > 50, "{hits} hits, {at_vertices} at vertices, {clear} clear");
+    assert!(passed > 20, "{passed} hits at vertices of other faces than the ray came through");
 }
 
 #[test]
