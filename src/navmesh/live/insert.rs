@@ -74,7 +74,7 @@ fn cut_in_without(
         let refused = |error| ObstacleError::Side { side, error };
         for corner in [p, q].iter().skip(usize::from(side > 0)) {
             // An obstacle ends where it begins.
-            let known = corners.first().filter(|_| side > 1 && *corner == sides[0][0]).copied();
+            let known = corners.first().filter(|_| *corner == sides[0][0]).copied();
             let v = known.map_or_else(|| vertex_at(map, mesh, book, *corner, near, rec), Ok);
             corners.push(v.map_err(|error| refused(error.into()))?);
         }
