@@ -228,3 +228,106 @@ fn storeys_of_one_plan_are_put_together_apart() {
         }
     }
 }
+
+/// Powers of two change no digit: whatever the unit, the same is joined.
+#[test]
+fn what_is_welded_does_not_depend_on_the_unit() {
+    for seed in 0..12 {
+        let mut random = Random::new(seed + 8200);
+        let map = Map::random(seed, 4, 0.8, 0.4);
+        let triangles: Vec<Vec<u32>> = map.triangles.iter().map(|triangle| triangle.to_vec()).collect();
+        let (corners, faces) = if seed % 2 == 0 { (map.points, triangles) } else { bricks(4, 6.0, &mut random) };
+        let (points, list, _) = apart(&corners, &faces, 1e-4, &mut random);
+        let welded = weld(&points, &list, 3e-4);
+        assert!(welded.joined > 0 && welded.farthest > 0.0, "seed {seed}");
+        for unit in [2f64.powi(40), 2f64.powi(-40)] {
+            let points: Vec<Point> = points.iter().map(|p| Point::new(p.x * unit, p.y * unit)).collect();
+            let other = weld(&points, &list, 3e-4 * unit);
+            let expected = dcel_kit::navmesh::Welded { farthest: welded.farthest * unit, ..welded.clone() };
+            assert_eq!(other, expected, "seed {seed}, unit {unit}");
+        }
+    }
+}
+
+/// Platforms beside a flight of stairs: their corners lie on its sides, which are as steep as they like.
+#[test]
+fn t_junctions_on_steep_sides_are_split_in_order() {
+    let mut random = Random::new(8300);
+    for round in 0..300 {
+        let steep = [0.1, 1.0, 10.0, 100.0][round % 4];
+        let mut at = || [random.unit(), random.unit(), steep * random.unit()];
+        let [a, b, c] = [at(), at(), at()];
+        let count = 1 + round % 5;
+        let mut shares: Vec<f64> = (0..count).map(|_| 0.02 + 0.96 * random.unit()).collect();
+        let off = [0.0, 1e-6][round % 2];
+        let mut points = vec![a, b, c];
+        let mut faces = PolygonList::new();
+        faces.push_face(&[0, 1, 2]);
+        for (i, share) in shares.iter().enumerate() {
+            // Each is a corner of a face of its own, which lies elsewhere.
+            let on: [f64; 3] = std::array::from_fn(|k| a[k] + (b[k] - a[k]) * share);
+            let far = 10.0 * (i + 1) as f64;
+            points.extend([[on[0] + off, on[1], on[2]], [on[0], far, 0.0], [on[0] + 1.0, far, 0.0]]);
+            let first = 3 + 3 * i as u32;
+            faces.push_face(&[first, first + 1, first + 2]);
+        }
+        let least = |shares: &[f64]| {
+            let gaps = (0..shares.len()).flat_map(|i| (0..i).map(move |k| (shares[i] - shares[k]).abs()));
+            gaps.fold(f64::INFINITY, f64::min)
+        };
+        if least(&shares) < 1e-3 {
+            continue;
+        }
+        let welded = weld_in_space(&points, &faces, 1e-5);
+        let context = format!("round {round}: {a:?} to {b:?}, {shares:?}");
+        let mut order: Vec<u32> = (0..count as u32).collect();
+        order.sort_by(|&i, &k| shares[i as usize].total_cmp(&shares[k as usize]));
+        let expected: Vec<u32> = std::iter::once(0).chain(order.iter().map(|i| 3 + 3 * i)).chain([1, 2]).collect();
+        assert_eq!((welded.faces.cycle(0), welded.inserted, welded.joined), (&expected[..], count, 0), "{context}");
+        // As far as a vertex was moved, or less, but for rounding.
+        assert!(welded.farthest <= off + 1e-12 * steep, "{context}: {}", welded.farthest);
+        shares.clear();
+    }
+}
+
+/// Sides that two faces have are left alone, however thin one of the two is.
+#[test]
+fn what_is_joined_already_stays_as_it_is() {
+    for seed in 0..40 {
+        let mut random = Random::new(seed + 8400);
+        let map = Map::random(seed, 3 + seed as usize % 4, 0.7, 0.4);
+        let (mut points, mut faces) = (map.points.clone(), map.triangles.clone());
+        let has = |[a, b]: [u32; 2]| map.triangles.iter().any(|t| crate::oracle::sides(*t).contains(&[a, b]));
+        for [a, b] in map.triangles.iter().flat_map(|&t| crate::oracle::sides(t)).filter(|&[a, b]| !has([b, a])) {
+            if random.unit() < 0.5 {
+                continue;
+            }
+            // A thin triangle on the outside of this side.
+            let [p, q] = [a, b].map(|v| map.points[v as usize]);
+            let (share, height) = (0.3 + 0.4 * random.unit(), 1e-4);
+            let [x, y] = [q.x - p.x, q.y - p.y];
+            faces.push([b, a, points.len() as u32]);
+            points.push(Point::new(p.x + share * x + height * y, p.y + share * y - height * x));
+        }
+        assert!(faces.len() > map.triangles.len(), "seed {seed}");
+        let mut list = PolygonList::new();
+        faces.iter().for_each(|face| list.push_face(face));
+        let welded = weld(&points, &list, 1e-3);
+        let context = format!("seed {seed}");
+        assert_eq!((welded.joined, welded.inserted, welded.collapsed, &welded.faces), (0, 0, 0, &list), "{context}");
+        let faults = mesh_faults(&points, &list, &[]);
+        assert!(faults.iter().all(|fault| fault.kind() != "nearly-welded"), "{context}: {faults:?}");
+    }
+}
+
+#[test]
+fn what_no_face_may_be_stays_for_the_validator_to_name() {
+    let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.)].map(Point::from);
+    for wrong in [&[0, 1, 1, 2, 3][..], &[0, 1, 2, 2], &[0, 1], &[2]] {
+        let mut faces = PolygonList::new();
+        faces.push_face(wrong);
+        let welded = weld(&points, &faces, 0.5);
+        assert_eq!((&welded.faces, welded.collapsed), (&faces, 0), "{wrong:?}");
+        assert_ne!(mesh_faults(&points, &welded.faces, &[]), [], "{wrong:?}");
+    }
+}
