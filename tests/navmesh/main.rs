@@ -24,5 +24,7 @@ mod sight;
 mod slivers;
 mod surface;
 mod surface_ends;
+mod surface_links;
+mod surface_shapes;
 mod traps;
 mod weld;
