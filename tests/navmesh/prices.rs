@@ -137,3 +137,92 @@ fn costs_of_ways_from_and_to_edges_and_vertices_are_those_of_many_samples() {
     }
     assert!(compared > 400 && along > 100, "{compared} compared, {along} of them along edges");
 }
+
+/// One long face beside a straight line and short ones on its other side: of each part of the line the cheaper one counts,
+/// whichever way the line runs.
+#[test]
+fn along_a_line_in_any_direction_each_part_counts_for_the_cheaper_side() {
+    let mut planner = Planner::new();
+    let mut several = 0;
+    for seed in 0..200 {
+        let mut random = Random::new(seed + 5500);
+        let mut whole = |least: i32, most: i32| least + random.below((most - least + 1) as usize) as i32;
+        let (along, origin) = ([whole(-9, 9), whole(-9, 9)], [whole(-50, 50), whole(-50, 50)]);
+        if along == [0, 0] {
+            continue;
+        }
+        let stops: Vec<i32> =
+            (0..1 + whole(1, 6)).scan(0, |t, _| Some(std::mem::replace(t, *t + whole(2, 5)))).collect();
+        let (count, last) = (stops.len(), stops[stops.len() - 1]);
+        let ends = [whole(0, last), whole(0, last)];
+        // On the line, and beside it on the left.
+        let at = |t: i32, off: i32| {
+            let [x, y] = [origin[0] + t * along[0] - off * along[1], origin[1] + t * along[1] + off * along[0]];
+            Point::new(f64::from(x), f64::from(y))
+        };
+        let mut points: Vec<Point> = stops.iter().map(|&t| at(t, 0)).chain(stops.iter().map(|&t| at(t, 1))).collect();
+        points.extend([at(0, -1), at(last, -1)]);
+        let n = count as u32;
+        let mut polygons: Vec<Vec<u32>> = vec![[2 * n, 2 * n + 1].into_iter().chain((0..n).rev()).collect()];
+        polygons.extend((1..n).map(|i| vec![i - 1, i, n + i, n + i - 1]));
+        let mesh = NavMesh::new(&Subdivision::from_polygons(points, &list(&polygons)).expect("a map")).expect("a mesh");
+        let costs: Vec<f64> = (0..=polygons.len()).map(|_| f64::from(1 + random.below(6) as u32)).collect();
+        let unit = f64::from(along[0]).hypot(f64::from(along[1]));
+        let parts = stops.windows(2).zip(&costs[2..]).map(|(pair, &cost)| {
+            let [low, high] = [pair[0].max(ends[0].min(ends[1])), pair[1].min(ends[0].max(ends[1]))];
+            f64::from((high - low).max(0)) * unit * cost.min(costs[1])
+        });
+        let expected: f64 = parts.sum();
+        let places = ends.map(|t| mesh.places(at(t, 0)).expect("on the line")[0]);
+        let costs = FaceMap::from(costs.clone());
+        for algorithm in QUICK {
+            let route = planner.weighted_route(&mesh, algorithm, &costs, &places[0], &places[1]).expect("a way");
+            let cost = mesh.cost_along(&route, &costs);
+            let context = format!("seed {seed}, {algorithm}, {along:?} at {origin:?}, {stops:?}, {ends:?}");
+            assert!((cost - expected).abs() <= 1e-9 * expected, "{context}: {cost} and not {expected}");
+        }
+        several +=
+            usize::from(stops.iter().filter(|&&t| t > ends[0].min(ends[1]) && t < ends[0].max(ends[1])).count() > 1);
+    }
+    assert!(several > 40, "{several} along several faces");
+}
+
+/// Where all faces cost 1, a way costs its length: also where it runs along rows of edges that rounding has brought off
+/// their common line, so that it passes them at any point of theirs.
+#[test]
+fn for_one_price_a_way_along_a_row_of_edges_costs_its_length() {
+    let mut planner = Planner::new();
+    let mut compared = 0;
+    for seed in 0..120 {
+        let mut random = Random::new(seed + 5600);
+        let (sin, cos) = (0.1 + 6.0 * random.unit()).sin_cos();
+        let scale = [0.01, 1.0, 100.0][seed as usize % 3];
+        let turn = |p: Point| Point::new(scale * (p.x * cos - p.y * sin), scale * (p.x * sin + p.y * cos));
+        let map = Map::random(seed + 5700, 6, 0.95, 0.0);
+        let mesh = map.moved(turn).mesh();
+        let costs = FaceMap::filled(mesh.face_bound(), 1.0);
+        for _ in 0..20 {
+            // Along a column, a row or a diagonal.
+            let corner = map.points[random.below(map.points.len())];
+            let [dx, dy] = [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -1.0]][random.below(4)];
+            let ends = [(); 2].map(|()| {
+                let t = 12.0 * random.unit() - 6.0;
+                turn(Point::new(corner.x + t * dx, corner.y + t * dy))
+            });
+            let [Ok(starts), Ok(goals)] = ends.map(|p| mesh.places(p)) else { continue };
+            for algorithm in QUICK {
+                let Ok(route) = planner.weighted_route(&mesh, algorithm, &costs, &starts[0], &goals[0]) else {
+                    continue;
+                };
+                let cost = mesh.cost_along(&route, &costs);
+                assert!(
+                    is_close(cost, route.length),
+                    "seed {seed}, {algorithm}, {ends:?}: {cost}, {} long",
+                    route.length
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 1000, "{compared} ways");
+}
