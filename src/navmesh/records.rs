@@ -154,6 +154,10 @@ mod tests {
                 }
             };
             check(&table);
+            // 12 bytes a face, and a bit and a half a number; or 12 bytes a number.
+            let few_holes = table.ranks.is_none();
+            let bytes = if few_holes { 12 * bound } else { 12 * slots + 12 * bound.div_ceil(64) };
+            assert_eq!(table.memory(), bytes, "{bound}, every {every}");
             assert_eq!((table.len(), table.get(bound)), (bound, None));
             table.resize(bound + 3);
             check(&table);

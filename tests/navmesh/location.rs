@@ -356,3 +356,34 @@ fn a_map_with_more_holes_than_faces_is_not_much_larger_than_one_without() {
     let (with, without) = (each(mesh.memory()), each(without.memory()));
     assert!(with < without + 8.0, "{with:.1} bytes a face, {without:.1} without holes");
 }
+
+/// An edge between a hole and what is outside is kept, and so are the cells that it runs through.
+#[test]
+fn holes_beside_the_outside_take_memory() {
+    for size in [4u32, 12, 40] {
+        let number = |x: u32, y: u32| y * (size + 1) + x;
+        let points: Vec<Point> =
+            (0..=size).flat_map(|y| (0..=size).map(move |x| Point::new(f64::from(x), f64::from(y)))).collect();
+        // Two arms of cells; between them a hole with one long side to the outside.
+        let cells = (0..size).flat_map(|y| (0..size).map(move |x| (x, y))).filter(|&(x, y)| x < 2 || y < 2);
+        let mut faces = dcel_kit::topology::PolygonList::new();
+        for (x, y) in cells {
+            faces.push_face(&[number(x, y), number(x + 1, y), number(x + 1, y + 1), number(x, y + 1)]);
+        }
+        let arms = faces.clone();
+        let bottom = (2..=size).map(|x| number(x, 2));
+        let between: Vec<u32> = bottom.chain((3..=size).rev().map(|y| number(2, y))).collect();
+        faces.push_face(&between);
+        let hole = FaceId::new(faces.face_count() as u32);
+        let mut map = Subdivision::from_polygons(points.clone(), &faces).expect("cells, and what is between");
+        assert_eq!(map.set_hole(hole, true), Some(false));
+        let with = NavMesh::new(&map).expect("squares");
+        let without = NavMesh::new(&Subdivision::from_polygons(points, &arms).expect("cells")).expect("squares");
+        assert_eq!(with.face_count(), without.face_count());
+        let middle = Point::new(2.25, 2.25);
+        assert_eq!((with.locate(middle), without.locate(middle)), (Location::Hole(hole), Location::Outer));
+        // The ends and the holes on both sides of the edge are four words; each cell that it runs through takes two.
+        let more = with.memory() as isize - without.memory() as isize;
+        assert!(more >= 16 + 8, "{size}: {more} bytes more");
+    }
+}

@@ -130,3 +130,22 @@ fn each_storey_takes_the_first_layer_that_is_free_there() {
         assert!(size > 1 || surface.layer_count() == count, "seed {seed}: {} layers", surface.layer_count());
     }
 }
+
+/// A corner costs its point, the record of its side and a word for the vertex: 32 bytes. Those of faces with more than 24
+/// are kept in the order of the vertices, too: 8 bytes more.
+#[test]
+fn corners_of_large_faces_cost_eight_bytes_more() {
+    let memory = |n: u32| {
+        let corners = (0..n).map(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(n)).sin_cos();
+            Point::new(cos, sin)
+        });
+        let map = Subdivision::polygon(&corners.collect::<Vec<_>>()).expect("on a circle");
+        NavMesh::new(&map).expect("convex").memory()
+    };
+    let least = memory(3);
+    for n in [4, 9, 23, 24, 25, 26, 60, 200] {
+        let more = if n > 24 { 8 * n as usize } else { 0 };
+        assert_eq!(memory(n), least + 32 * (n as usize - 3) + more, "{n} corners");
+    }
+}

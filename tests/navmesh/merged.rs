@@ -68,6 +68,9 @@ fn merged_faces_are_convex_and_have_every_face_once() {
         let free = mesh.faces().filter(|&f| mesh.is_walkable(f)).count();
         let count = mesh.merge_faces();
         assert!(count <= free && mesh.memory() > bytes, "made when they are asked for");
+        // 36 bytes a side, and 8 for each number of a face.
+        let corners: usize = mesh.merged_faces().iter().map(|face| face.corners.len()).sum();
+        assert_eq!(mesh.memory(), bytes + 36 * corners + 8 * mesh.face_bound(), "seed {seed}");
         check_faces(&map, &mesh, &format!("seed {seed}"));
         let dead_ends = |f: &FaceId| mesh.is_dead_end(*f);
         for face in mesh.merged_faces() {
@@ -226,4 +229,61 @@ fn within_merged_faces_the_way_is_straight_and_its_portals_are_told() {
         assert_eq!(route.portals.len(), t.abs_diff(u), "{route:?}");
         check(&mesh, &mut planner, &oracle, [&nodes[0], &nodes[1]], "octagon");
     }
+}
+
+/// The same by a plain program: of the portals, the longest first, each that leaves a convex face is taken away.
+#[test]
+fn the_longest_portals_go_first() {
+    let (mut opened, mut kept) = (0, 0);
+    for seed in 0..40 {
+        // No two portals are equally long.
+        let map = Map::random(seed + 600, 3 + seed as usize % 8, [0.8, 1.0][seed as usize % 2], 0.5);
+        let mesh = merged(&map);
+        let mut rings: Vec<Vec<u32>> = map.triangles.iter().map(|t| t.to_vec()).collect();
+        let mut ring_of: Vec<usize> = (0..rings.len()).collect();
+        let mut portals: Vec<(f64, [usize; 2], [u32; 2])> = Vec::new();
+        for (t, u) in (0..rings.len()).flat_map(|t| (0..t).map(move |u| (t, u))) {
+            let common = sides(map.triangles[t]).into_iter().find(|&[a, b]| sides(map.triangles[u]).contains(&[b, a]));
+            let is_dead_end = |t: usize| mesh.is_dead_end(FaceId::new(t as u32 + 1));
+            if let Some([a, b]) = common.filter(|_| is_dead_end(t) == is_dead_end(u)) {
+                let [p, q] = [a, b].map(|v| map.points[v as usize]);
+                portals.push((crate::oracle::distance(p, q), [t, u], [a, b]));
+            }
+        }
+        portals.sort_by(|a, b| b.0.total_cmp(&a.0));
+        for (_, pair, [a, b]) in portals {
+            let [one, other] = pair.map(|t| ring_of[t]);
+            // From b round to a, and from a round to b.
+            let from = |ring: &[u32], v: u32| {
+                let mut ring = ring.to_vec();
+                let first = ring.iter().position(|&w| w == v).expect("a corner");
+                ring.rotate_left(first);
+                ring
+            };
+            let [left, right] = [from(&rings[one], b), from(&rings[other], a)];
+            let convex = |corners: [u32; 3]| {
+                let [p, q, r] = corners.map(|v| map.points[v as usize]);
+                let turn = orientation(p, q, r);
+                turn.is_gt() || (turn.is_eq() && left_to_right(p, q) == left_to_right(q, r))
+            };
+            let at_a = [left[left.len() - 2], a, right[1]];
+            let at_b = [right[right.len() - 2], b, left[1]];
+            if one == other || !convex(at_a) || !convex(at_b) {
+                kept += 1;
+                continue;
+            }
+            rings[one] = left[..left.len() - 1].iter().chain(&right[..right.len() - 1]).copied().collect();
+            ring_of.iter_mut().filter(|ring| **ring == other).for_each(|ring| *ring = one);
+            opened += 1;
+        }
+        let members = |ring: usize| -> BTreeSet<FaceId> {
+            let of_ring = ring_of.iter().enumerate().filter(|&(_, &other)| other == ring);
+            of_ring.map(|(t, _)| FaceId::new(t as u32 + 1)).collect()
+        };
+        let expected: BTreeSet<BTreeSet<FaceId>> = ring_of.iter().map(|&ring| members(ring)).collect();
+        let found: BTreeSet<BTreeSet<FaceId>> =
+            mesh.merged_faces().into_iter().map(|face| face.faces.into_iter().collect()).collect();
+        assert_eq!(found, expected, "seed {seed}");
+    }
+    assert!(opened > 500 && kept > 500, "{opened} taken away, {kept} kept");
 }
