@@ -184,3 +184,48 @@ pub(super) fn steiner_points(sides: &[Side], cells: usize, near: &[Space]) -> Ve
     near.iter().for_each(|&p| numbers().for_each(|side| on.near(side, p)));
     on.points.iter().map(|point| (point.side, point.share)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{EVEN, FEET, GENERATIONS, Side, Space, steiner_points};
+
+    /// The points of sides by their shares, side by side.
+    fn shares(sides: &[([Space; 2], [Option<u32>; 2])], cells: usize, near: &[Space]) -> Vec<Vec<f64>> {
+        let sides: Vec<Side> = sides.iter().map(|&(ends, cells)| Side { ends, cells }).collect();
+        let mut shares = vec![Vec::new(); sides.len()];
+        steiner_points(&sides, cells, near).into_iter().for_each(|(side, share)| shares[side as usize].push(share));
+        shares
+    }
+
+    #[test]
+    fn near_a_place_no_point_is_as_far_from_the_next_as_even_ones() {
+        let spacing = 1.0 / f64::from(EVEN + 1);
+        for i in 0..40 {
+            let length = 1.0 + 0.05 * f64::from(i);
+            let side = ([[0.0; 3], [length, 0.0, 0.0]], [None; 2]);
+            let mut added = shares(&[side], 0, &[[0.05 * length, 0.01 * length, 0.0]]).concat();
+            added.retain(|share| (share / spacing - (share / spacing).round()).abs() > 1e-9);
+            added.sort_by(f64::total_cmp);
+            assert!(added.len() > 10 && added.iter().any(|share| (share - 0.05).abs() < 1e-9), "{length}: {added:?}");
+            let farthest = added.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+            assert!(farthest < spacing, "{length}: {added:?}");
+        }
+    }
+
+    #[test]
+    fn feet_are_few_and_their_feet_end_after_some_generations() {
+        // A saw of many teeth close above a side.
+        let tooth = |i: u32| [0.16 + 0.021 * f64::from(i), 0.002, 0.0];
+        let mut sides = vec![([[0.0; 3], [1.0, 0.0, 0.0]], [Some(0), None])];
+        sides.extend((0..30).map(|i| ([tooth(i), tooth(i + 1)], [Some(0), None])));
+        assert_eq!(shares(&sides, 1, &[])[0].len() as u32, EVEN + FEET);
+        // A stack of thin cells; the foot of a corner below goes on to the sides above.
+        let level = |y: u32| [[0.0, 0.01 * f64::from(y), 0.0], [1.0, 0.01 * f64::from(y), 0.0]];
+        let mut sides: Vec<_> = (0..20).map(|y| (level(y), [Some(y), Some(y + 1)])).collect();
+        sides.push(([[0.35, -0.01, 0.0], [0.36, -0.02, 0.0]], [Some(0), None]));
+        let has_foot = |shares: &Vec<f64>| shares.iter().any(|share| (share - 0.35).abs() < 1e-9);
+        let with_foot: Vec<bool> = shares(&sides, 21, &[])[..20].iter().map(has_foot).collect();
+        let expected: Vec<bool> = (0..20).map(|y| y < usize::from(GENERATIONS)).collect();
+        assert_eq!(with_foot, expected);
+    }
+}
