@@ -26,5 +26,6 @@ mod surface;
 mod surface_ends;
 mod surface_links;
 mod surface_shapes;
+mod surface_sight;
 mod traps;
 mod weld;

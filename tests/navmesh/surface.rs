@@ -20,7 +20,7 @@ pub(crate) fn list(faces: &[Vec<u32>]) -> PolygonList {
 }
 
 /// The surface of a map whose points are lifted.
-fn lifted(map: &Map, lift: impl FnMut(Point) -> Space) -> NavSurface {
+pub(crate) fn lifted(map: &Map, lift: impl FnMut(Point) -> Space) -> NavSurface {
     let points: Vec<Space> = map.points.iter().copied().map(lift).collect();
     let faces: Vec<Vec<u32>> = map.triangles.iter().map(|t| t.to_vec()).collect();
     NavSurface::new(&points, &list(&faces), None).expect("a surface")
@@ -48,7 +48,7 @@ pub(crate) fn check(surface: &NavSurface, route: &SurfaceRoute, ends: [&SurfaceP
 }
 
 /// How far a point is from a triangle, about.
-fn off_triangle(p: Space, [a, b, c]: [Space; 3]) -> f64 {
+pub(crate) fn off_triangle(p: Space, [a, b, c]: [Space; 3]) -> f64 {
     let [u, v, w] = [b, c, p].map(|q| -> Space { std::array::from_fn(|i| q[i] - a[i]) });
     let dot = |a: Space, b: Space| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
     let (uu, uv, vv, wu, wv) = (dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v));
@@ -276,7 +276,7 @@ fn the_shortest_path_over_hills_is_that_of_the_best_row_of_all() {
 }
 
 /// A ramp that winds up round a pillar: `turns` full turns of `steps` quadrilaterals each, `rise` a turn.
-fn spiral(turns: usize, steps: usize, rise: f64) -> (Vec<Space>, Vec<Vec<u32>>) {
+pub(crate) fn spiral(turns: usize, steps: usize, rise: f64) -> (Vec<Space>, Vec<Vec<u32>>) {
     let mut points = Vec::new();
     for i in 0..=turns * steps {
         let (sin, cos) = (i as f64 / steps as f64 * std::f64::consts::TAU).sin_cos();
@@ -523,68 +523,6 @@ fn polygons_of_many_corners_are_one_face_and_have_the_lengths_of_the_plane() {
     let mesh = NavMesh::new(&map).expect("a mesh");
     let plain = Planner::new().route_between(&mesh, PathAlgorithm::Exact, Point::new(4.0, 0.5), Point::new(0.5, 4.0));
     assert!(is_close(route.length, plain.expect("a way").length));
-}
-
-/// Straight in the plan, a line on a hilly floor meets what it meets in the plane, at the height of the surface there.
-#[test]
-fn a_line_on_a_surface_meets_what_it_meets_in_the_plan() {
-    let (mut hits, mut clear) = (0, 0);
-    for seed in 0..60 {
-        // Also where all lies on common lines: through vertices and along edges.
-        let on_grid = seed % 3 == 0;
-        let map = Map::random(seed + 900, 7, 0.85, if on_grid { 0.0 } else { 0.5 });
-        let mesh = map.mesh();
-        let mut heights = Random::new(seed);
-        let surface = lifted(&map, |p| [p.x, p.y, 2.0 * heights.unit()]);
-        assert_eq!(surface.layer_count(), 1);
-        let mut random = Random::new(seed + 77);
-        for _ in 0..40 {
-            let mut at = || {
-                let [x, y] = [(); 2].map(|()| 7.0 * random.unit());
-                if on_grid { Point::new((2.0 * x).round() / 2.0, (2.0 * y).round() / 2.0) } else { Point::new(x, y) }
-            };
-            let [from, to] = [at(), at()];
-            let (Ok(start), Ok(place)) = (surface.place([from.x, from.y], Floor::Any), mesh.place(from)) else {
-                continue;
-            };
-            let context = format!("seed {seed}: {from} -> {to}");
-            let flat = mesh.raycast_from(&place, to).expect("it begins on the mesh");
-            let cast = surface.raycast(&start, [to.x, to.y]).expect("finite");
-            assert_eq!(cast.hit.is_some(), flat.hit.is_some(), "{context}");
-            let end = cast.points[cast.points.len() - 1];
-            let expected = flat.hit.map_or(to, |hit| hit.point);
-            assert!((end[0] - expected.x).hypot(end[1] - expected.y) < 1e-9, "{context}: {end:?}, and {expected}");
-            if let (Some(hit), Some(in_plan)) = (cast.hit, flat.hit) {
-                assert_eq!((hit.point, hit.vertex), (end, in_plan.vertex), "{context}");
-                hits += 1;
-            } else {
-                clear += 1;
-            }
-            // It lies on the surface all along, and its length is the sum of its pieces.
-            let sum: f64 = cast.points.windows(2).map(|pair| far(pair[0], pair[1])).sum();
-            assert!(is_close(sum, cast.length) && cast.layers.len() + 1 == cast.points.len(), "{context}: {cast:?}");
-            for pair in cast.points.windows(2) {
-                let middle: Space = std::array::from_fn(|i| (pair[0][i] + pair[1][i]) / 2.0);
-                let off = cast.faces.iter().flat_map(|&f| surface.triangles(f)).map(|t| off_triangle(middle, t));
-                assert!(off.fold(f64::INFINITY, f64::min) < 1e-9, "{context}: {middle:?} is off the surface");
-            }
-        }
-    }
-    assert!(hits > 300 && clear > 100, "{hits} hits, {clear} clear");
-}
-
-#[test]
-fn a_line_stays_on_its_storey_and_climbs_ramps() {
-    let (points, faces) = spiral(3, 16, 2.0);
-    let surface = NavSurface::new(&points, &list(&faces), None).expect("a ramp");
-    assert!(surface.layer_count() > 1);
-    for place in surface.random_places(5).take(200) {
-        let cast = surface.raycast(&place, [0.0, 0.0]).expect("finite");
-        // The way to the axis is barred by the inner border of the very turn it starts from.
-        let hit = cast.hit.unwrap_or_else(|| panic!("{place:?} sees the axis"));
-        assert!((hit.point[2] - place.point[2]).abs() < 2.0 / 3.0, "{place:?} leaps to {hit:?}");
-        assert_eq!(cast.faces[0], place.face);
-    }
 }
 
 #[test]

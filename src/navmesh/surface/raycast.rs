@@ -51,8 +51,8 @@ enum Onwards {
     Into(usize),
     /// To the node that this side starts from, along a side of its triangle.
     Corner(usize),
-    /// Nowhere: this side is a border, or an upright face stands on it; it is met at the node where it starts, or inside.
-    Border(usize, bool),
+    /// Nowhere: this side is a border, or an upright face stands on it; it is met at this node, or inside.
+    Border(usize, Option<u32>),
     /// It ends in this triangle.
     End(usize),
 }
@@ -114,13 +114,13 @@ impl NavSurface {
                     cast.go_to(self.ends(s)[0], self.layer_of(s / 3));
                     self.leave_corner(&line, s)
                 }
-                Onwards::Border(s, at_corner) => {
-                    let node = |s: usize| self.sides[s].origin as usize;
-                    let side = [s, next(s)].map(|s| VertexId::new(self.vertices[node(s)]));
+                Onwards::Border(s, node) => {
+                    let vertex = |node: u32| VertexId::new(self.vertices[node as usize]);
+                    let side = [s, next(s)].map(|s| vertex(self.sides[s].origin));
                     let point = cast.points.last().copied().unwrap_or(start.point);
                     let face = self.face_of(s / 3);
                     enter(&mut cast.faces, face);
-                    cast.hit = Some(SurfaceRayHit { face, side, vertex: at_corner.then_some(side[0]), point });
+                    cast.hit = Some(SurfaceRayHit { face, side, vertex: node.map(vertex), point });
                     return Ok(cast);
                 }
                 Onwards::End(t) => {
@@ -163,8 +163,8 @@ impl NavSurface {
     /// Into the triangle beyond a side.
     fn over(&self, s: usize) -> Onwards {
         match self.sides[s].twin {
-            NONE => Onwards::Border(s, false),
-            twin if self.is_upright(twin as usize / 3) => Onwards::Border(s, false),
+            NONE => Onwards::Border(s, None),
+            twin if self.is_upright(twin as usize / 3) => Onwards::Border(s, None),
             twin => Onwards::Into(twin as usize / 3),
         }
     }
@@ -182,7 +182,8 @@ impl NavSurface {
         }
     }
 
-    /// From the corner that a side starts from, into whichever triangle of its fan the line leads.
+    /// From the corner that a side of the triangle starts from through which the line came, into whichever triangle of its fan
+    /// the line leads.
     fn leave_corner(&self, line: &Line, s: usize) -> Onwards {
         let at = self.flat(s);
         if line.to == at {
@@ -202,9 +203,14 @@ impl NavSurface {
                 return Onwards::Into(s / 3);
             }
         }
-        // The border that is met: the side of the fan that the line leads past first, on its right.
-        let free = fan().find(|&s| self.sides[s].twin == NONE && !self.is_upright(s / 3));
-        Onwards::Border(free.unwrap_or(s), true)
+        // The borders that the line would go on to the right of: one of the triangle that it came through, or the first.
+        let at_ends = fan().filter(|&s| !self.is_upright(s / 3)).flat_map(|s| [s, prev(s)]);
+        let is_met = |&side: &usize| {
+            let is_border = matches!(self.over(side), Onwards::Border(..));
+            is_border && orientation(self.flat(side), self.flat(next(side)), line.to).is_lt()
+        };
+        let met = at_ends.filter(is_met).min_by_key(|side| side / 3 != s / 3);
+        Onwards::Border(met.unwrap_or(s), Some(self.sides[s].origin))
     }
 
     fn layer_of(&self, t: usize) -> usize {
