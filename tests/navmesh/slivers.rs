@@ -7,9 +7,9 @@
 //! ```
 
 use crate::maps::Random;
-use dcel_kit::HalfEdgeId;
 use dcel_kit::navmesh::{LiveMesh, Location, NavMesh};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::{EdgeId, HalfEdgeId};
 
 /// A corridor with triangular pillars in a row, turned by `turn` and cut into triangles, Delaunay where that is not
 /// forbidden.
@@ -135,7 +135,7 @@ fn beside_borders_that_obstacles_cross_among_slivers_points_are_where_a_scan_fin
                 let _ = live.insert_obstacle(&block.map(|[x, y]| Point::new(x * cos - y * sin, x * sin + y * cos)));
             }
             let (map, mesh) = (live.map(), live.mesh());
-            let borders = map.edges().map(|e| e.half_edges()).filter(|halves| {
+            let borders = map.edges().map(EdgeId::half_edges).filter(|halves| {
                 let is_new = halves.iter().any(|&h| map.origin(h).index() >= first.vertex_bound());
                 let [left, right] = halves.map(|h| mesh.has_face(map.face(h)));
                 is_new && left != right

@@ -3,7 +3,7 @@
 
 use crate::maps::{Map, Random};
 use crate::routes::is_close;
-use crate::surface::{check, list};
+use crate::surface::{check, far, list};
 use dcel_kit::navmesh::{
     Floor, LinkError, NavSurface, PathAlgorithm, SurfaceLink, SurfacePlanner, SurfacePoint, SurfaceRoute,
 };
@@ -32,7 +32,7 @@ fn least(
 ) -> Vec<f64> {
     let mut edges: Vec<(usize, usize, f64)> =
         links.iter().enumerate().map(|(i, link)| (2 * i + 2, 2 * i + 3, link.cost)).collect();
-    let is_begin = |i: usize| i == 1 || (i > 1 && i % 2 == 0);
+    let is_begin = |i: usize| i == 1 || (i > 1 && i.is_multiple_of(2));
     for (a, from) in places.iter().enumerate().filter(|&(a, _)| !is_begin(a)) {
         let to = places.iter().enumerate().filter(|&(b, _)| is_begin(b));
         edges.extend(to.filter_map(|(b, to)| Some((a, b, leg(from, to)?))));
@@ -92,7 +92,7 @@ fn a_path_over_links_of_a_surface_is_the_cheapest_of_all_with_and_without_costs(
             for (i, leg) in path.legs.iter().enumerate() {
                 let from = i.checked_sub(1).map_or(places[0], |before| links[path.links[before]].to);
                 let to = path.links.get(i).map_or(places[1], |&link| links[link].from);
-                if from.point != to.point {
+                if far(from.point, to.point) > 0.0 {
                     check(&surface, leg, [&from, &to], &context);
                 }
                 sum += leg.cost;
