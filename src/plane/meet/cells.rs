@@ -229,13 +229,14 @@ impl Search<'_> {
         for cell in 0..starts.len() - 1 {
             tell(cell);
             let list = &lists[starts[cell] as usize..starts[cell + 1] as usize];
-            if list.len() < 2 {
+            let is_nearly_all = 4 * list.len() > 3 * items.len();
+            let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
+            if list.len() <= FEW || patience == 0 {
+                self.pairs(list)?;
                 continue;
             }
             let inner = cells.frame(cell % cells.count[0], cell / cells.count[0]);
-            let is_nearly_all = 4 * list.len() > 3 * items.len();
-            let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
-            let sides = if list.len() <= FEW || patience == 0 { [1, 1] } else { self.sides(list, &inner, SOME) };
+            let sides = self.sides(list, &inner, SOME);
             self.compare(list, &inner, sides, patience, |_| ())?;
         }
         Ok(())

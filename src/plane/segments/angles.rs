@@ -33,61 +33,62 @@ pub(super) fn one_rings_where(
     let Graph { points, edges, .. } = graph;
     let ends = edges.as_flattened();
     let (starts, mut list) = grouped(points.len(), ends.len(), |h| ends[h] as usize);
+    let to = |h: u32| points[ends[(h ^ 1) as usize] as usize];
     for (v, range) in (0..).zip(starts.windows(2)) {
         let ring = &mut list[range[0] as usize..range[1] as usize];
         let at = points[v as usize];
-        let to = |h: u32| points[ends[(h ^ 1) as usize] as usize];
-        let order = |g: u32, h: u32| from_below(at, to(g), to(h)).then(g.cmp(&h));
-        match ring {
+        let order = |&(g, p): &End, &(h, q): &End| from_below(at, p, q).then(g.cmp(&h));
+        match *ring {
             [] | [_] => {}
-            [a, b] => {
-                sort_two(a, b, order);
+            [a, b] => are_all_good &= sorted_few(ring, [a, b].map(|h| (h, to(h))), order, |pair| are_good(at, pair)),
+            [a, b, c] => {
+                are_all_good &= sorted_few(ring, [a, b, c].map(|h| (h, to(h))), order, |pair| are_good(at, pair));
             }
-            [a, b, c] => sort_three([a, b, c], order),
-            [a, b, c, d] => sort_four([a, b, c, d], order),
-            _ => sort_by(ring, &order),
-        }
-        if let [first, .., last] = *ring {
-            let mut pairs = ring.windows(2).map(|pair| [pair[0], pair[1]]).chain([[last, first]]);
-            are_all_good &= pairs.all(|pair| are_good(at, of_both(pair, to)));
+            [a, b, c, d] => {
+                are_all_good &= sorted_few(ring, [a, b, c, d].map(|h| (h, to(h))), order, |pair| are_good(at, pair));
+            }
+            [..] => {
+                sort_by(ring, &|g, h| order(&(g, to(g)), &(h, to(h))));
+                let pairs = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
+                are_all_good &= pairs.map(|pair| of_both(pair, to)).all(|pair| are_good(at, pair));
+            }
         }
         one_rings.link_all(v, ring.iter().copied());
     }
     Ok((one_rings, are_all_good))
 }
 
+/// A half-edge and where it ends.
+type End = (u32, Point);
+
 /// Sorts by comparisons that take much longer than the sort.
 pub(super) fn sort_by(list: &mut [u32], compare: &dyn Fn(u32, u32) -> Ordering) {
     list.sort_unstable_by(|&a, &b| compare(a, b));
 }
 
-/// Puts two in order; returns whether they were not.
+/// What most rings of a diagram are: a few half-edges with their ends, looked up once, sorted without the steps that a sort
+/// takes to find out how many they are. Returns whether all pairs that follow each other are good.
 #[inline]
-fn sort_two(g: &mut u32, h: &mut u32, order: impl Fn(u32, u32) -> Ordering) -> bool {
-    let is_wrong = order(*g, *h).is_gt();
-    if is_wrong {
-        std::mem::swap(g, h);
+fn sorted_few<const N: usize>(
+    ring: &mut [u32],
+    mut ends: [End; N],
+    order: impl Fn(&End, &End) -> Ordering,
+    are_good: impl Fn([Point; 2]) -> bool,
+) -> bool {
+    for i in 1..N {
+        for j in (0..i).rev() {
+            if order(&ends[j], &ends[j + 1]).is_le() {
+                break;
+            }
+            ends.swap(j, j + 1);
+        }
     }
-    is_wrong
-}
-
-/// What most rings of a diagram are, sorted without the steps that a sort takes to find out how long they are.
-#[inline]
-fn sort_three([a, b, c]: [&mut u32; 3], order: impl Fn(u32, u32) -> Ordering) {
-    sort_two(a, b, &order);
-    if sort_two(b, c, &order) {
-        sort_two(a, b, &order);
+    let mut are_all_good = true;
+    for (i, half_edge) in ring.iter_mut().enumerate() {
+        *half_edge = ends[i].0;
+        are_all_good &= are_good([ends[i].1, ends[(i + 1) % N].1]);
     }
-}
-
-/// The same for where two edges cross.
-#[inline]
-fn sort_four([a, b, c, d]: [&mut u32; 4], order: impl Fn(u32, u32) -> Ordering) {
-    sort_two(a, b, &order);
-    sort_two(c, d, &order);
-    sort_two(a, c, &order);
-    sort_two(b, d, &order);
-    sort_two(b, c, &order);
+    are_all_good
 }
 
 /// Which of two places comes first round a point, counter-clockwise from straight down; straight down itself is last.
