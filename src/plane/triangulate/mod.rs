@@ -326,6 +326,6 @@ impl Subdivision {
         let new_faces = pieces.len().saturating_sub(patch.parts.len());
         let links = patch.into_links();
         self.dcel.room_for(0, links.diagonals(), new_faces)?;
-        Ok(self.write_pieces(faces, &links, &pieces, rec))
+        Ok(self.write_pieces(faces, links, &pieces, rec))
     }
 }

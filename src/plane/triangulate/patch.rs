@@ -25,8 +25,8 @@ pub(super) struct Links {
     pub(super) given: Vec<HalfEdgeId>,
     pub(super) next: Vec<u32>,
     pub(super) prev: Vec<u32>,
-    /// The face each half-edge bounds in the subdivision.
-    pub(super) face: Vec<FaceId>,
+    /// The face each half-edge bounds in the subdivision; a single entry where that is one face for all.
+    face: Vec<FaceId>,
     /// The place that each half-edge leaves.
     pub(super) origin: Vec<u32>,
     /// The vertex at each place.
@@ -77,7 +77,9 @@ impl Patch {
         match patch.order_of_two_rows(s) {
             Some(order) => {
                 patch.is_monotone = true;
-                patch.number(s, order.into_iter());
+                let origin = std::mem::take(&mut patch.links.origin);
+                patch.number(s, order.iter().map(|&corner| (origin[corner as usize], corner)));
+                patch.events = order;
             }
             None => patch.put_in_order(s),
         }
@@ -121,19 +123,25 @@ impl Patch {
         let corners = given.len() as u32;
         let room = 3 * given.len() + 4 * rings.len();
         let column = || Vec::with_capacity(room);
-        let (mut next, mut prev, mut face) = (column(), column(), Vec::with_capacity(room));
+        let (mut next, mut prev, mut face) = (column(), column(), Vec::new());
         next.extend(1..=corners);
         prev.extend((0..corners).map(|i| i.wrapping_sub(1)));
-        for (first, last, f) in cycles {
+        if let [part] = &parts[..] {
+            face.extend(cycles.iter().map(|&(.., f)| f).take(1));
+            debug_assert!(part.end > 1);
+        } else {
+            face.reserve(room);
+            cycles.iter().for_each(|&(_, last, f)| face.resize(last as usize + 1, f));
+        }
+        for (first, last, _) in cycles {
             next[last as usize] = first;
             prev[first as usize] = last;
-            face.resize(last as usize + 1, f);
         }
         let links = Links { given, next, prev, face, origin, vertex: Vec::new() };
         Self { links, parts, rings, points: Vec::new(), events: Vec::new(), is_monotone: false }
     }
 
-    /// The corners from left to right, each with its vertex, if the patch is one face without inner components whose
+    /// The corners from left to right if the patch is one face without inner components whose
     /// boundary runs to the right and back just once: two rows, which are merged. Most others show that they are not
     /// at their first corners. O(n).
     ///
@@ -142,7 +150,7 @@ impl Patch {
     ///       ╱        ╲         Each row is in order, so that nothing has to be sorted.
     ///      ●──●────●──●
     /// ```
-    fn order_of_two_rows(&self, s: &Subdivision) -> Option<Vec<(u32, u32)>> {
+    fn order_of_two_rows(&self, s: &Subdivision) -> Option<Vec<u32>> {
         let origin = &self.links.origin;
         if self.parts.len() != 1 || !self.rings.is_empty() {
             return None;
@@ -167,25 +175,24 @@ impl Patch {
             (came, here) = (goes, there);
         }
         let (leftmost, rightmost) = leftmost.zip(rightmost)?;
-        let with_vertex = |corner: u32| (origin[corner as usize], corner);
         let mut order = Vec::with_capacity(origin.len());
-        order.push(with_vertex(leftmost));
+        order.push(leftmost);
         let (mut lower, mut upper) = (self.next(leftmost), self.prev(leftmost));
         while lower != rightmost || upper != rightmost {
             match left_to_right(at(lower), at(upper)) {
                 Ordering::Less => {
-                    order.push(with_vertex(lower));
+                    order.push(lower);
                     lower = self.next(lower);
                 }
                 Ordering::Greater => {
-                    order.push(with_vertex(upper));
+                    order.push(upper);
                     upper = self.prev(upper);
                 }
                 // The boundary touches itself.
                 Ordering::Equal => return None,
             }
         }
-        order.push(with_vertex(rightmost));
+        order.push(rightmost);
         Some(order)
     }
 
@@ -198,7 +205,8 @@ impl Patch {
         });
         let all = self.links.origin.iter().zip(0..).map(|(&v, i)| (v, i)).chain(isolated);
         let order = from_left_to_right(all, |v| s.points[VertexId::new(v)]);
-        self.number(s, order.into_iter());
+        self.number(s, order.iter().copied());
+        self.events = order.into_iter().map(|(_, event)| event).collect();
     }
 
     /// Gives places to vertices, which come from left to right, each with what happens there.
@@ -206,7 +214,6 @@ impl Patch {
         let corners = self.links.given.len();
         let mut origin = Vec::with_capacity(self.links.next.capacity());
         origin.resize(corners, 0);
-        self.events.reserve(order.len());
         self.links.vertex.reserve(order.len());
         self.points.reserve(order.len());
         for (v, event) in order {
@@ -223,7 +230,6 @@ impl Patch {
                     }
                 }
             }
-            self.events.push(event);
         }
         self.links.origin = origin;
     }
@@ -272,7 +278,7 @@ impl Patch {
     /// The face of the subdivision that `h` bounds.
     #[inline]
     pub(super) fn face(&self, h: u32) -> FaceId {
-        self.links.face[h as usize]
+        self.links.face_of(h)
     }
 
     /// Where `h` starts.
@@ -341,7 +347,9 @@ impl Patch {
         let a = self.len();
         // Less work than `extend` of an array, which asks for each item whether there is room.
         self.links.origin.extend_from_slice(&[from, to]);
-        self.links.face.extend_from_slice(&[face; 2]);
+        if self.links.face.len() > 1 {
+            self.links.face.extend_from_slice(&[face; 2]);
+        }
         self.links.next.extend_from_slice(&[a; 2]);
         self.links.prev.extend_from_slice(&[a; 2]);
         a
@@ -425,6 +433,15 @@ impl Patch {
 }
 
 impl Links {
+    /// The face that `h` bounds in the subdivision.
+    #[inline]
+    pub(super) fn face_of(&self, h: u32) -> FaceId {
+        match self.face[..] {
+            [only] => only,
+            _ => self.face[h as usize],
+        }
+    }
+
     /// The number of diagonals.
     pub(super) fn diagonals(&self) -> usize {
         (self.next.len() - self.given.len()) / 2

@@ -15,20 +15,19 @@ impl Subdivision {
     pub(super) fn write_pieces(
         &mut self,
         faces: &[FaceId],
-        links: &Links,
+        mut links: Links,
         pieces: &[u32],
         rec: &mut impl PlaneRecorder,
     ) -> Triangulated {
-        let mut added = Triangulated {
-            diagonals: Vec::with_capacity(links.diagonals()),
-            new_faces: Vec::with_capacity(pieces.len()),
-        };
-        let mut ids = links.given.clone();
-        ids.reserve(2 * links.diagonals());
-        self.dcel.reserve(0, links.diagonals(), pieces.len());
+        let (given, diagonals) = (links.given.len(), links.diagonals());
+        let mut added =
+            Triangulated { diagonals: Vec::with_capacity(diagonals), new_faces: Vec::with_capacity(pieces.len()) };
+        let mut ids = std::mem::take(&mut links.given);
+        ids.reserve(2 * diagonals);
+        self.dcel.reserve(0, diagonals, pieces.len());
 
         rec.step(1, "Create two new half-edges for each diagonal.");
-        for i in links.given.len()..links.next.len() {
+        for i in given..links.next.len() {
             if ids.len() == i {
                 let edge = self.dcel.add_edge_record(rec);
                 ids.extend_from_slice(&edge.half_edges());
@@ -45,21 +44,21 @@ impl Subdivision {
         let mut pen = self.dcel.pen();
         for (i, (&h, &next)) in ids.iter().zip(&links.next).enumerate() {
             let next = ids[next as usize];
-            if i >= links.given.len() || pen.next(h) != next {
+            if i >= given || pen.next(h) != next {
                 pen.set_next(h, next, rec);
             }
         }
 
         rec.step(3, "Give each piece a face.");
         for &start in pieces {
-            let old = links.face[start as usize];
+            let old = links.face_of(start);
             let first = ids[start as usize];
             let keeps = self.dcel.half_edge(old) == Some(first);
             let face = if keeps { old } else { self.dcel.add_face_record(rec) };
             let mut pen = self.dcel.pen();
             if !keeps {
                 pen.set_half_edge(face, Some(first), rec);
-                if start as usize >= links.given.len() {
+                if start as usize >= given {
                     // It has diagonals only: who follows the changes is to see which face it comes from.
                     pen.set_face(first, old, rec);
                 }
@@ -69,7 +68,7 @@ impl Subdivision {
             let mut i = start;
             loop {
                 let h = ids[i as usize];
-                if i as usize >= links.given.len() || pen.face(h) != face {
+                if i as usize >= given || pen.face(h) != face {
                     pen.set_face(h, face, rec);
                 }
                 i = links.next[i as usize];
