@@ -38,19 +38,16 @@ pub(super) fn one_rings_where(
         let ring = &mut list[range[0] as usize..range[1] as usize];
         let at = points[v as usize];
         let order = |&(g, p): &End, &(h, q): &End| from_below(at, p, q).then(g.cmp(&h));
-        match *ring {
-            [] | [_] => {}
-            [a, b] => are_all_good &= sorted_few(ring, [a, b].map(|h| (h, to(h))), order, |pair| are_good(at, pair)),
-            [a, b, c] => {
-                are_all_good &= sorted_few(ring, [a, b, c].map(|h| (h, to(h))), order, |pair| are_good(at, pair));
-            }
-            [a, b, c, d] => {
-                are_all_good &= sorted_few(ring, [a, b, c, d].map(|h| (h, to(h))), order, |pair| are_good(at, pair));
-            }
-            [..] => {
+        let are_good = |pair: [Point; 2]| are_good(at, pair);
+        match ring.len() {
+            0 | 1 => {}
+            2 => are_all_good &= sorted_few::<2>(ring, to, order, are_good),
+            3 => are_all_good &= sorted_few::<3>(ring, to, order, are_good),
+            4 => are_all_good &= sorted_few::<4>(ring, to, order, are_good),
+            _ => {
                 sort_by(ring, &|g, h| order(&(g, to(g)), &(h, to(h))));
                 let pairs = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
-                are_all_good &= pairs.map(|pair| of_both(pair, to)).all(|pair| are_good(at, pair));
+                are_all_good &= pairs.map(|pair| of_both(pair, to)).all(are_good);
             }
         }
         one_rings.link_all(v, ring.iter().copied());
@@ -71,10 +68,12 @@ pub(super) fn sort_by(list: &mut [u32], compare: &dyn Fn(u32, u32) -> Ordering) 
 #[inline]
 fn sorted_few<const N: usize>(
     ring: &mut [u32],
-    mut ends: [End; N],
+    to: impl Fn(u32) -> Point,
     order: impl Fn(&End, &End) -> Ordering,
     are_good: impl Fn([Point; 2]) -> bool,
 ) -> bool {
+    let mut ends = [(0, Point::new(0.0, 0.0)); N];
+    ends.iter_mut().zip(&*ring).for_each(|(end, &h)| *end = (h, to(h)));
     for i in 1..N {
         for j in (0..i).rev() {
             if order(&ends[j], &ends[j + 1]).is_le() {
