@@ -27,7 +27,7 @@ use std::cmp::Ordering;
 const MOST: usize = 4;
 
 /// So many points are few.
-const FEW: usize = 64;
+pub(super) const FEW: usize = 64;
 
 /// So many edges for each cell of the grid.
 const SOME: usize = 3;

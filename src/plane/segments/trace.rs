@@ -15,7 +15,7 @@ use super::graph::Graph;
 use crate::geometry::point::corners;
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
-use crate::plane::below::edges_below;
+use crate::plane::below::{FEW, edges_below};
 use crate::plane::marks::Marks;
 use crate::plane::rings::Loose;
 use crate::plane::sweep::{Intersection, NOTHING, OneRing, Swept, sweep_in_order};
@@ -156,6 +156,10 @@ fn below_of(
     edges: &[[u32; 2]],
     by_place: Option<&[u32]>,
 ) -> Vec<u32> {
+    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
+    if loose.len() <= FEW {
+        return edges_below(points, edges, by_place, leftmost);
+    }
     let side = 2 * (loose.len() as f64).sqrt() as usize + 1;
     let mut bounded = Marks::new(corners(points.iter().copied()), side);
     for &start in &columns.boundary[1..] {
@@ -163,7 +167,6 @@ fn below_of(
         let cycle = std::iter::successors(Some(start), after);
         bounded.mark(corners(cycle.map(|h| points[columns.origin[h as usize] as usize])));
     }
-    let leftmost = loose.iter().map(|loose| loose.leftmost.number());
     let asked = leftmost.filter(|&v| bounded.may_meet([points[v as usize]; 2]));
     // Where no face is bounded on either side, the edge below lies in the same face as the point.
     let has_bounded = |e: &u32| [0, 1].iter().any(|side| columns.face[(2 * e + side) as usize] != 0);
@@ -254,4 +257,65 @@ fn cycles(columns: &mut Columns, points: &[Point]) -> Result<Vec<Loose>, TooMany
         Loose { ring: InnerComponent::Isolated(v), leftmost: v, owner: None }
     }));
     Ok(loose)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::settled::where_nothing_meets;
+    use super::*;
+    use crate::plane::sweep::tests::numbers;
+
+    /// Frames in frames, triangles with tails, single edges and points in the cells of a grid; a wide frame round some of them.
+    fn islands(next: &mut impl FnMut(u64) -> u64) -> Graph {
+        let mut graph = Graph::default();
+        let mut add = |corners: &[(f64, f64)], edges: &[[u32; 2]]| {
+            let first = graph.points.len() as u32;
+            graph.points.extend(corners.iter().map(|&(x, y)| Point::new(x, y)));
+            graph.edges.extend(edges.iter().map(|&[a, b]| [first + a, first + b]));
+        };
+        const RING: [[u32; 2]; 4] = [[0, 1], [1, 2], [2, 3], [3, 0]];
+        let side = 12 + next(6);
+        for (x, y) in (0..side * side).map(|i| ((i % side) as f64, (i / side) as f64)) {
+            match next(6) {
+                0 => (0..1 + next(3)).for_each(|i| {
+                    let (low, high) = (0.1 + 0.1 * i as f64, 0.9 - 0.1 * i as f64);
+                    let corners = [(low, low), (high, low + 0.01), (high, high), (low, high)];
+                    add(&corners.map(|(u, v)| (x + u, y + v)), &RING);
+                }),
+                1 => add(&[(x + 0.2, y + 0.3), (x + 0.7, y + 0.2)], &[[0, 1]]),
+                2 => {
+                    let corners = [(0.5, 0.4), (0.6, 0.4), (0.55, 0.6), (0.2, 0.1), (0.45, 0.9)];
+                    add(&corners.map(|(u, v)| (x + u, y + v)), &[[0, 1], [1, 2], [2, 0], [3, 0], [2, 4]]);
+                }
+                3 => add(&[(x + 0.5, y + 0.5)], &[]),
+                _ => {}
+            }
+        }
+        let frame = [0, 1].map(|_| next(side) as f64);
+        for [low, high] in [frame, [-1.0, side as f64 + 1.0]].into_iter().filter(|[low, high]| low < high) {
+            add(&[(low, low), (high, low), (high, high), (low, high)], &RING);
+        }
+        graph.edges.iter_mut().filter(|_| next(2) == 0).for_each(|ends| ends.reverse());
+        graph
+    }
+
+    #[test]
+    fn many_islands_lie_where_a_sweep_says() {
+        let (mut inside, mut outside) = (0, 0);
+        for seed in 1..300_u64 {
+            let mut graph = islands(&mut numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+            if seed % 3 > 0 {
+                // Without the wide frame.
+                graph.edges.truncate(graph.edges.len() - 4);
+            }
+            let (seen, by_angle) = (look(&graph).unwrap(), where_nothing_meets(&graph).unwrap());
+            assert!(seen.intersection().is_none());
+            let swept = trace(&mut graph.clone(), seen).unwrap();
+            assert_eq!(trace(&mut graph, by_angle).unwrap(), swept, "seed {seed}");
+            let outer = swept.outer_face();
+            inside += swept.faces().filter(|&f| f != outer).map(|f| swept.inner_components(f).len()).sum::<usize>();
+            outside += swept.inner_components(outer).len();
+        }
+        assert!(inside > 10_000 && outside > 10_000, "{inside} inside, {outside} outside");
+    }
 }
