@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp)] // exact equality is meant
 
 mod areas;
+mod arranged;
 mod convert;
 mod edits;
 mod exact;

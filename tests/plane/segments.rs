@@ -658,7 +658,8 @@ fn as_many_faults_are_told_as_are_asked_for() {
     let o = Point::new(0., 0.);
     let to = |x: i32, y: i32| [o, Point::new(f64::from(x), f64::from(y))];
     let through = |x: i32, y: i32| [Point::new(f64::from(-x), f64::from(-y)), Point::new(f64::from(x), f64::from(y))];
-    let cases: [(&str, Vec<Segment>); 6] = [
+    let cases: [(&str, Vec<Segment>); 7] = [
+        ("no length and repeated, nothing else", [vec![to(0, 0); 3], vec![to(1, 2); 4], vec![to(3, 2)]].concat()),
         (
             "no length, repeated, crossing",
             vec![to(0, 0), to(0, 0), through(1, 2), through(1, 2), through(2, 2), through(3, 2), through(4, 2)],

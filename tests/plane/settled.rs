@@ -311,3 +311,62 @@ fn points_that_come_together_on_a_grid_are_one_vertex_and_segments_between_them_
     assert_eq!((arranged.collapsed.clone(), arranged.displaced.len()), (vec![0], 4));
     assert!(arranged.displaced[0].1 > 0.2236 && arranged.displaced[0].1 < 0.2237, "the further of both");
 }
+
+/// Rays from about one point to all sides, some of them on beyond it: rounding brings their crossings together, and pieces of
+/// segments that run towards each other become one edge that is cut again.
+fn star(next: &mut Numbers) -> Vec<Segment> {
+    let [x, y, reach] = [next.unit(), next.unit(), next.unit()];
+    (0..4 + next.below(6))
+        .map(|_| {
+            let [dx, dy] = [reach * (next.unit() - 0.5), reach * (next.unit() - 0.5)];
+            let beyond = if next.below(3) == 0 { 0.0 } else { 1.0 };
+            [Point::new(x + dx, y + dy), Point::new(x - beyond * dx, y - beyond * dy)]
+        })
+        .collect()
+}
+
+#[test]
+fn chains_hold_together_where_edges_that_are_shared_are_cut_again() {
+    let (mut in_rounds, mut against) = (0, 0);
+    for seed in 0..250 {
+        let mut next = Numbers::new(seed + 40_000);
+        let segments: Vec<Segment> = (0..1 + next.below(3)).flat_map(|_| star(&mut next)).collect();
+        let context = format!("seed {seed}");
+        let arranged = arrange(&segments, &SPLIT, &context);
+        assert_settled(&arranged, &segments, &context);
+        if arranged.rounds > 1 && arranged.grid.is_none() {
+            in_rounds += 1;
+            against += (0..segments.len()).flat_map(|i| arranged.chain(i)).filter(|h| h.number() % 2 == 1).count();
+        }
+    }
+    assert!(in_rounds > 50 && against > 100, "{in_rounds} {against}");
+}
+
+/// Bundles that need a grid, a triangle on no grid of theirs, and far away a cross, whose crossing is rounded in place by more
+/// than the whole grid.
+#[test]
+fn what_has_settled_stays_and_counts_where_other_parts_go_to_a_grid() {
+    let (mut on_grid, mut wider) = (0, 0);
+    let tiny = 2f64.powi(-60);
+    let corners = [(7.0 * tiny, 3.5), (3.0 * tiny, 3.4), (0.5, 3.5 + 2.0 * f64::EPSILON)].map(Point::from);
+    let far = |x: f64, y: f64| Point::new(1e7 + x, 1e7 + y);
+    for seed in 0..700 {
+        let mut next = Numbers::new(seed + 60_000);
+        let mut segments: Vec<Segment> = (0..2 + next.below(2)).flat_map(|_| bundle(&mut next)).collect();
+        segments.retain(|ends| ends.iter().all(|p| p.x.abs().max(p.y.abs()) < 3.0));
+        let first = segments.len();
+        segments.extend((0..3).map(|i| [corners[i], corners[(i + 1) % 3]]));
+        let [u, v] = [next.unit(), next.unit()];
+        segments.extend([[far(0.0, u), far(3.0, 1.0 + v)], [far(u, 2.0), far(1.0 + v, 0.0)]]);
+        let context = format!("seed {seed}");
+        let arranged = arrange(&segments, &SPLIT, &context);
+        assert_settled(&arranged, &segments, &context);
+        let Some(grid) = arranged.grid else { continue };
+        let s = &arranged.subdivision;
+        let stays = (0..3).all(|i| s.point(s.origin(arranged.chain(first + i)[0])) == corners[i]);
+        assert!(stays && grid < 1e-14, "{context}: a part that has settled goes to a grid of {grid:e}");
+        on_grid += 1;
+        wider += u32::from(arranged.moved.iter().any(|moved| moved.1 > grid));
+    }
+    assert!(on_grid > 20 && wider > 20, "{on_grid} {wider}");
+}
