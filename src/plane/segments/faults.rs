@@ -49,11 +49,8 @@ impl Faults<'_> {
         match event.place {
             EventPlace::Crossing(crossing) => {
                 let at = crossing.rounded().0;
-                // Edges on one line overlap, which was told where that began.
-                let parallel = |e: u32, g: u32| {
-                    orientation(self.end(e, 0), self.end(e, 1), self.end(g, 0)).is_eq()
-                        && orientation(self.end(e, 0), self.end(e, 1), self.end(g, 1)).is_eq()
-                };
+                // Edges on one line overlap, which was told where that began. They have this point in common: one more is enough.
+                let parallel = |e: u32, g: u32| orientation(self.end(e, 0), self.end(e, 1), self.end(g, 0)).is_eq();
                 let found: Vec<[u32; 2]> = pairs(event.through, self.limit + 1)
                     .filter(|&[e, g]| !parallel(e, g))
                     .map(|p| p.map(number))
