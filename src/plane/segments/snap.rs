@@ -175,7 +175,8 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
         (number[p as usize], (to.x - from.x).hypot(to.y - from.y))
     };
     let displaced: Vec<(u32, f64)> = (0..given).map(moved).filter(|&(_, by)| by > 0.0).collect();
-    let is_moved = bends || !displaced.is_empty() || off.iter().any(|&(_, by)| by > 0.0);
+    // Where a crossing is not in the middle of its pixel, the middle is not on both of its segments: one of them bends.
+    let is_moved = bends || !displaced.is_empty();
     let mut origin = vec![None; points.len()];
     for p in (0..graph.points.len() as u32).filter(|&p| !chosen[p as usize]) {
         origin[now[p as usize] as usize] = Some(p);
