@@ -87,3 +87,27 @@ fn the_first_shared_edge_is_the_first_in_the_order_of_the_segments() {
     }
     assert!(shared > 50 && apart > 50 && repeated > 300, "{shared} {apart} {repeated}");
 }
+
+/// Ends on the grid stay where they are: something moves if a chain leaves its segment, and not otherwise.
+#[test]
+fn a_grid_moves_nothing_where_all_crossings_lie_on_it() {
+    let mut counts = [0; 2];
+    for seed in 0..600 {
+        let mut next = Numbers::new(seed + 150_000);
+        let mut place = || Point::new(2.0 * next.below(4) as f64, 2.0 * next.below(4) as f64);
+        let segments: Vec<[Point; 2]> = (0..2 + seed % 2).map(|_| [place(), place()]).collect();
+        let options = ArrangeOptions { grid: Some(1.0), ..SPLIT };
+        let arranged = Subdivision::arrange_segments(&segments, &options).unwrap();
+        let s = &arranged.subdivision;
+        let leaves = segments.iter().enumerate().any(|(i, [a, b])| {
+            let mut corners = arranged.chain(i).iter().map(|&h| s.point(s.origin(h)));
+            corners.any(|p| (b.x - a.x) * (p.y - a.y) != (b.y - a.y) * (p.x - a.x))
+        });
+        assert_eq!(arranged.farthest > 0.0, leaves, "seed {seed}: {segments:?}");
+        assert_eq!((arranged.displaced.len(), arranged.displaced_points), (0, 0), "seed {seed}");
+        assert!(arranged.moved.iter().all(|moved| moved.1 <= arranged.farthest), "seed {seed}");
+        assert!(leaves || arranged.moved.is_empty(), "seed {seed}");
+        counts[usize::from(leaves)] += usize::from(!arranged.crossings.is_empty());
+    }
+    assert!(counts[0] > 20 && counts[1] > 50, "{counts:?}");
+}

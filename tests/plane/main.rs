@@ -9,6 +9,7 @@ mod edits;
 mod exact;
 mod inserts;
 mod locate;
+mod marked;
 mod mend;
 mod moves;
 mod numbers;
