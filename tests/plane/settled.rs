@@ -342,6 +342,24 @@ fn chains_hold_together_where_edges_that_are_shared_are_cut_again() {
     assert!(in_rounds > 50 && against > 100, "{in_rounds} {against}");
 }
 
+/// Near the smallest coordinates there are, a crossing moves as far as ends are apart.
+#[test]
+fn crossings_among_the_smallest_coordinates_settle() {
+    let (mut moved, mut in_place) = (0, 0);
+    for seed in 0..3_000 {
+        let mut next = Numbers::new(seed + 50_000);
+        let size = 3 + seed % 9;
+        let mut place = || Point::new(next.below(size) as f64 * SMALLEST, next.below(size) as f64 * SMALLEST);
+        let segments: Vec<Segment> = (0..2 + seed % 5).map(|_| [place(), place()]).collect();
+        let context = format!("seed {seed}");
+        let arranged = arrange(&segments, &SPLIT, &context);
+        assert_settled(&arranged, &segments, &context);
+        moved += arranged.moved.iter().filter(|moved| moved.1 > 0.25 * SMALLEST).count();
+        in_place += usize::from(arranged.grid.is_none() && arranged.rounds > 0);
+    }
+    assert!(moved > 200 && in_place > 1_000, "{moved} {in_place}");
+}
+
 /// Bundles that need a grid, a triangle on no grid of theirs, and far away a cross, whose crossing is rounded in place by more
 /// than the whole grid.
 #[test]
