@@ -18,7 +18,8 @@
 //!
 //! For a vertex v on a segment e, and a segment s that does not pass v: if e and s have no point in common, that is 1. Else
 //! they have a vertex w in common, and from w along e, v is no nearer to s than the neighbour of w, which by 2 is not
-//! near to the half-edges beside it, and even less to those that form larger angles.
+//! near to the half-edges beside it, and even less to those that form larger angles. Vertices of one segment are farther apart
+//! than the gap, too: by 2 all half-edges of a vertex that has several are longer than that.
 
 use crate::geometry::both::of_both;
 use crate::plane::Point;
