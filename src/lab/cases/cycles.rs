@@ -1,11 +1,11 @@
-//! Small structures by the corners of their faces.
+//! Small structures by the corners of their faces, and changes of single links.
 
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 
 /// A structure from the corners of its faces, the outer one first and clockwise. No two edges may join the same
-/// vertices.
+/// vertices. Where the outer face has no corners, the half-edges at the border have no twins.
 #[must_use]
 pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
     let mut table = Table { outer_face: Some(FaceId::new(0)), ..Table::default() };
@@ -30,7 +30,8 @@ pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
                 vertex.outgoing = Some(h);
             }
         }
-        table.faces.push(Some(FaceRow { half_edge: Some(half_edge(0)), ..FaceRow::default() }));
+        let stored = (!cycle.is_empty()).then(|| half_edge(0));
+        table.faces.push(Some(FaceRow { half_edge: stored, ..FaceRow::default() }));
     }
     // An edge meets its twin only once both are there.
     for i in 0..table.half_edges.len() {
@@ -42,4 +43,16 @@ pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
         }
     }
     table
+}
+
+/// The row of a half-edge, to be changed.
+pub fn row_mut(table: &mut Table, h: HalfEdgeId) -> Option<&mut HalfEdgeRow> {
+    table.half_edges.get_mut(h.index())?.as_mut()
+}
+
+/// Puts a half-edge after another.
+pub fn link(table: &mut Table, h: HalfEdgeId, next: HalfEdgeId) -> Option<()> {
+    row_mut(table, h)?.next = Some(next);
+    row_mut(table, next)?.prev = Some(h);
+    Some(())
 }

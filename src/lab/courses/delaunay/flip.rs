@@ -8,6 +8,7 @@
 //!                                                               d                d
 //! ```
 
+use crate::cases::cycles::row_mut;
 use crate::checks::align::{Aligned, Difference, Field, New, differences};
 use crate::checks::steps::{ELSEWHERE, Steps};
 use crate::fault::{Exchange, Fault};
@@ -47,7 +48,7 @@ pub(super) fn flip(table: &mut Table, h: HalfEdgeId) -> Option<()> {
     for ((edge, from, stays, apex, comes, last), face) in around.into_iter().zip(faces) {
         let cycle = [(edge, from), (stays, apex), (comes, last)];
         for (i, &(side, origin)) in cycle.iter().enumerate() {
-            let row = table.half_edges.get_mut(side.index())?.as_mut()?;
+            let row = row_mut(table, side)?;
             let (after, before) = (cycle[(i + 1) % 3].0, cycle[(i + 2) % 3].0);
             *row = HalfEdgeRow {
                 origin: Some(origin),

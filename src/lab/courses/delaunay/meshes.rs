@@ -7,15 +7,16 @@
 //! ```
 
 use super::{flip, mistakes};
+use crate::cases::cycles::{from_cycles, link, row_mut};
 use crate::cases::handouts::SITES;
-use crate::cases::numbers;
+use crate::cases::numbers::{self, store_any, store_last};
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::checks::walks::{blind, half_edges};
 use crate::protocol::{Start, Structure};
 use dcel_kit::plane::predicates::{in_circle, orientation};
 use dcel_kit::plane::{Point, Subdivision};
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
+use dcel_kit::topology::{HalfEdgeRow, Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -41,64 +42,28 @@ impl Mesh {
     /// As a table: the triangle t has the half-edges 3t, 3t + 1, 3t + 2 and the face t + 1; those of the outer face 0
     /// come last, in the order of their twins. Vertices and faces know the last of their half-edges.
     pub(super) fn table(&self) -> Table {
-        let mut rows: Vec<HalfEdgeRow> = Vec::new();
-        let mut by_ends: BTreeMap<[u32; 2], HalfEdgeId> = BTreeMap::new();
-        for (t, corners) in (0..).zip(&self.triangles) {
-            for i in 0..3 {
-                let h = |i: u32| Some(HalfEdgeId::new(3 * t + i % 3));
-                by_ends.insert([corners[i as usize], corners[(i as usize + 1) % 3]], HalfEdgeId::new(3 * t + i));
-                let (origin, face) = (VertexId::new(corners[i as usize]), FaceId::new(t + 1));
-                rows.push(HalfEdgeRow {
-                    origin: Some(origin),
-                    twin: None,
-                    next: h(i + 1),
-                    prev: h(i + 2),
-                    face: Some(face),
-                });
+        let mut faces: Vec<&[u32]> = vec![&[]];
+        faces.extend(self.triangles.iter().map(<[u32; 3]>::as_slice));
+        let mut table = from_cycles(&self.points, &faces);
+        let border: Vec<HalfEdgeId> = half_edges(&table).filter(|&h| table.twin(h).is_none()).collect();
+        let mut leaving: BTreeMap<Option<VertexId>, HalfEdgeId> = BTreeMap::new();
+        for &own in &border {
+            let new = HalfEdgeId::new(table.half_edges.len() as u32);
+            let origin = table.next(own).and_then(|next| table.origin(next));
+            let row = HalfEdgeRow { origin, twin: Some(own), face: table.outer_face, ..HalfEdgeRow::default() };
+            table.half_edges.push(Some(row));
+            leaving.insert(origin, new);
+            if let Some(row) = row_mut(&mut table, own) {
+                row.twin = Some(new);
             }
         }
-        let mut leaving: BTreeMap<u32, HalfEdgeId> = BTreeMap::new();
-        let mut border: Vec<([u32; 2], HalfEdgeId)> = Vec::new();
-        for corners in &self.triangles {
-            for i in 0..3 {
-                let [from, to] = [corners[i], corners[(i + 1) % 3]];
-                let own = by_ends[&[from, to]];
-                let twin = by_ends.get(&[to, from]).copied().unwrap_or_else(|| {
-                    let new = HalfEdgeId::new(rows.len() as u32);
-                    rows.push(HalfEdgeRow {
-                        origin: Some(VertexId::new(to)),
-                        twin: Some(own),
-                        face: Some(FaceId::new(0)),
-                        ..HalfEdgeRow::default()
-                    });
-                    leaving.insert(to, new);
-                    border.push(([to, from], new));
-                    new
-                });
-                rows[own.index()].twin = Some(twin);
+        for own in border {
+            if let Some((h, &next)) = table.twin(own).zip(leaving.get(&table.origin(own))) {
+                link(&mut table, h, next);
             }
         }
-        for ([_, to], h) in border {
-            let next = leaving[&to];
-            rows[h.index()].next = Some(next);
-            rows[next.index()].prev = Some(h);
-        }
-        let place = |&place: &[f64; 2]| Some(VertexRow { position: Some(place), outgoing: None });
-        let mut table = Table {
-            outer_face: Some(FaceId::new(0)),
-            vertices: self.points.iter().map(place).collect(),
-            half_edges: Vec::new(),
-            faces: vec![Some(FaceRow::default()); self.triangles.len() + 1],
-        };
-        for (h, row) in (0..).map(HalfEdgeId::new).zip(&rows) {
-            if let Some(vertex) = row.origin.and_then(|v| table.vertices[v.index()].as_mut()) {
-                vertex.outgoing = Some(h);
-            }
-            if let Some(face) = row.face.and_then(|f| table.faces[f.index()].as_mut()) {
-                face.half_edge = Some(h);
-            }
-        }
-        table.half_edges = rows.into_iter().map(Some).collect();
+        let all = half_edges(&table);
+        store_last(&mut table, all);
         table
     }
 
@@ -313,19 +278,7 @@ pub(super) fn renumbered(table: &Table, random: &mut Random) -> Table {
     let half_edge = |h: HalfEdgeId| HalfEdgeId::new(of_half_edges[h.index()] as u32);
     let face = |f: FaceId| FaceId::new(of_faces[f.index()] as u32);
     let mut out = numbers::renumbered(table, |v| v, half_edge, face);
-    let (mut starting, mut sides) = (vec![Vec::new(); table.vertices.len()], vec![Vec::new(); table.faces.len()]);
-    for h in half_edges(table).map(half_edge) {
-        if let (Some(v), Some(f)) = (out.origin(h), out.face(h)) {
-            starting[v.index()].push(h);
-            sides[f.index()].push(h);
-        }
-    }
-    for (v, row) in out.vertices.iter_mut().enumerate() {
-        *row = row.map(|row| VertexRow { outgoing: random.pick(&starting[v]).copied(), ..row });
-    }
-    for (f, row) in out.faces.iter_mut().enumerate() {
-        *row = Some(FaceRow { half_edge: random.pick(&sides[f]).copied(), ..FaceRow::default() });
-    }
+    store_any(&mut out, half_edges(table).map(half_edge), random);
     out
 }
 

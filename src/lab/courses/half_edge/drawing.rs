@@ -1,7 +1,7 @@
 //! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
 //! and as a picture.
 
-use crate::checks::walks::{cycle, half_edges};
+use crate::checks::walks::{self, cycle, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::pictures::{self, Plain};
 use crate::protocol::{Case, CaseAnswer};
@@ -82,28 +82,18 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
     let options = IsomorphismOptions::new().keys(&keys[0], &keys[1]);
     let Err(difference) = isomorphic_with(after.as_ref(), reference, &options) else { return Vec::new() };
     let mut out = Vec::new();
-    let [yours, theirs] = [after.as_ref(), reference].map(vertices);
-    out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
-        wrong("drawing.vertices", format!("{n} of the drawing's vertices {} missing: {list}", are(n)), Vec::new())
-    }));
-    out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
-        wrong(
-            "drawing.vertices",
-            format!("{n} {} {} not in the drawing: {list}", if n == 1 { "vertex" } else { "vertices" }, are(n)),
-            elements,
-        )
-    }));
-    let [yours, theirs] = [after.as_ref(), reference].map(edges);
-    out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
-        wrong("drawing.edges", format!("{n} of the drawing's edges {} missing: {list}", are(n)), Vec::new())
-    }));
-    out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
-        wrong(
-            "drawing.edges",
-            format!("{n} {} {} not in the drawing: {list}", if n == 1 { "edge" } else { "edges" }, are(n)),
-            elements,
-        )
-    }));
+    for (one, several) in [("vertex", "vertices"), ("edge", "edges")] {
+        let places = if one == "vertex" { vertices } else { edges };
+        let [yours, theirs] = [after.as_ref(), reference].map(places);
+        let rule = format!("drawing.{several}");
+        out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
+            wrong(&rule, format!("{n} of the drawing's {several} {} missing: {list}", are(n)), Vec::new())
+        }));
+        out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
+            let what = if n == 1 { one } else { several };
+            wrong(&rule, format!("{n} {what} {} not in the drawing: {list}", are(n)), elements)
+        }));
+    }
     if out.is_empty() {
         out.push(wrong("drawing.structure", difference.to_string(), Vec::new()));
     }
@@ -115,7 +105,7 @@ fn are(count: usize) -> &'static str {
 }
 
 fn place(table: &Table, v: VertexId) -> [f64; 2] {
-    table.vertices.get(v.index()).copied().flatten().and_then(|row| row.position).unwrap_or_default()
+    walks::place(table, v).unwrap_or_default()
 }
 
 /// Places with the element that is there, in the order of the places.
@@ -131,8 +121,8 @@ fn vertices(table: &Table) -> Places {
 }
 
 fn edges(table: &Table) -> Places {
-    let ids = (0..table.half_edges.len() as u32).map(HalfEdgeId::new);
-    ids.filter_map(|h| {
+    let all = half_edges(table);
+    all.filter_map(|h| {
         let [p, q] = [table.origin(h)?, table.origin(table.twin(h)?)?].map(|v| place(table, v));
         // Each edge once, by its half that begins further left, or lower.
         let key = [p, q].map(position_key).to_vec();

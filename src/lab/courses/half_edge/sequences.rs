@@ -47,9 +47,13 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
 
 /// A case that dumps after every call. `calls` are lines such as `split_face h0 h4`.
 pub(super) fn sequence(name: &str, start: Start, calls: &[&str]) -> Case {
+    followed(name, start, &calls.iter().map(|call| Step::of_line(call)).collect::<Vec<_>>())
+}
+
+/// The same for steps.
+pub(super) fn followed(name: &str, start: Start, calls: &[Step]) -> Case {
     let dump = start.dump();
-    let calls = calls.iter().map(|call| Step::of_line(call));
-    Case::new(name, start).step(dump.clone()).calls(calls, &[dump])
+    Case::new(name, start).step(dump.clone()).calls(calls.iter().cloned(), &[dump])
 }
 
 /// A random sequence, on a start that a student can type.

@@ -7,7 +7,7 @@
 //!   split_in_half h1
 //! ```
 
-use super::sequences::polygon;
+use super::sequences::{followed, polygon};
 use super::starts::{dangling, rectangle};
 use crate::protocol::{Case, Start, Step};
 
@@ -30,14 +30,14 @@ pub(super) fn shorter(case: &Case) -> Vec<Case> {
     let mut all = Vec::new();
     for chosen in choices(earlier.len()) {
         let kept: Vec<Step> = chosen.iter().map(|&i| earlier[i].clone()).chain([last.clone()]).collect();
-        all.extend(starts.iter().map(|start| sequence(&case.name, start.clone(), &kept)));
+        all.extend(starts.iter().map(|start| followed(&case.name, start.clone(), &kept)));
     }
     let steps: Vec<Step> = calls.into_iter().cloned().collect();
     for (i, step) in steps.iter().enumerate() {
         for simpler in simpler(step) {
             let mut steps = steps.clone();
             steps[i] = simpler;
-            all.extend(starts.iter().map(|start| sequence(&case.name, start.clone(), &steps)));
+            all.extend(starts.iter().map(|start| followed(&case.name, start.clone(), &steps)));
         }
     }
     shortest(case, all, TRIED)
@@ -100,7 +100,7 @@ fn without_table(case: &Case, last: &Step) -> Vec<Case> {
             }
             for words in words(2 * corners) {
                 let steps: Vec<Step> = before.iter().cloned().chain([Step::call(function, words)]).collect();
-                all.push(sequence(&case.name, polygon(corners), &steps));
+                all.push(followed(&case.name, polygon(corners), &steps));
             }
         }
     }
@@ -108,7 +108,7 @@ fn without_table(case: &Case, last: &Step) -> Vec<Case> {
         let count = small.half_edges.len();
         let start = Start::table(small);
         all.extend(
-            words(count).into_iter().map(|words| sequence(&case.name, start.clone(), &[Step::call(function, words)])),
+            words(count).into_iter().map(|words| followed(&case.name, start.clone(), &[Step::call(function, words)])),
         );
     }
     shortest(case, all, TRIED_ONCE)
@@ -138,11 +138,6 @@ fn corners(start: &Start) -> Option<usize> {
         ("grid", [columns, rows]) => Some(4 * columns * rows),
         _ => None,
     }
-}
-
-fn sequence(name: &str, start: Start, calls: &[Step]) -> Case {
-    let dump = start.dump();
-    Case::new(name, start).step(dump.clone()).calls(calls.iter().cloned(), &[dump])
 }
 
 /// The start itself and those with fewer corners.

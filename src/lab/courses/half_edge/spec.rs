@@ -14,6 +14,7 @@
 //! Works on tables, because that is what a student's program gives. The table before must obey the laws; the
 //! functions refuse one that is too broken to tell what should come of it.
 
+use crate::cases::cycles::{link, row_mut};
 use crate::checks::align::New;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
@@ -152,14 +153,4 @@ pub fn split_in_half(before: &Table, he: HalfEdgeId, side: TwinSide) -> Option<(
 #[must_use]
 pub fn midpoint([px, py]: [f64; 2], [qx, qy]: [f64; 2]) -> [f64; 2] {
     [f64::midpoint(px, qx), f64::midpoint(py, qy)]
-}
-
-fn row_mut(table: &mut Table, h: HalfEdgeId) -> Option<&mut HalfEdgeRow> {
-    table.half_edges.get_mut(h.index())?.as_mut()
-}
-
-fn link(table: &mut Table, h: HalfEdgeId, next: HalfEdgeId) -> Option<()> {
-    row_mut(table, h)?.next = Some(next);
-    row_mut(table, next)?.prev = Some(h);
-    Some(())
 }

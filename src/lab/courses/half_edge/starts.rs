@@ -13,12 +13,13 @@
 
 use super::spec;
 use crate::cases::cycles::from_cycles;
-use crate::cases::numbers::renumbered;
+use crate::cases::numbers::{renumbered, store_any};
 use crate::cases::random::Random;
 use crate::cases::starts::polygon;
+use crate::checks::walks::half_edges;
 use crate::protocol::Start;
-use dcel_kit::topology::{FaceRow, Table, VertexRow, View};
-use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{FaceId, HalfEdgeId};
 
 /// A square with an edge from one corner into it that ends nowhere.
 pub(super) fn antenna() -> Table {
@@ -97,7 +98,7 @@ pub(super) fn petals() -> Table {
 /// An antenna whose two corners at one vertex are joined: an edge from a vertex to itself.
 pub(super) fn looped() -> Table {
     let table = antenna();
-    let all = || (0..table.half_edges.len() as u32).map(HalfEdgeId::new);
+    let all = || half_edges(&table);
     let mut pairs = all().flat_map(|h1| all().map(move |h2| (h1, h2)));
     let split = pairs.find_map(|(h1, h2)| {
         let at_one_vertex = table.origin(h1) == table.origin(h2);
@@ -152,17 +153,8 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
     let order = random.order(table.half_edges.len());
     let name = |h: HalfEdgeId| HalfEdgeId::new(order[h.index()] as u32);
     let mut out = renumbered(table, |v| v, name, |f| f);
-    let half_edges = || (0..out.half_edges.len() as u32).map(HalfEdgeId::new);
-    for (v, row) in out.vertices.clone().iter().enumerate() {
-        let v = VertexId::new(v as u32);
-        let starts: Vec<HalfEdgeId> = half_edges().filter(|&h| out.origin(h) == Some(v)).collect();
-        out.vertices[v.index()] = row.map(|row| VertexRow { outgoing: random.pick(&starts).copied(), ..row });
-    }
-    for f in 0..out.faces.len() {
-        let face = FaceId::new(f as u32);
-        let sides: Vec<HalfEdgeId> = half_edges().filter(|&h| out.face(h) == Some(face)).collect();
-        out.faces[f] = Some(FaceRow { half_edge: random.pick(&sides).copied(), ..FaceRow::default() });
-    }
+    let all = half_edges(&out);
+    store_any(&mut out, all, random);
     out.outer_face = Some(FaceId::new(random.below(out.faces.len()) as u32));
     out
 }
@@ -171,6 +163,7 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
 mod tests {
     use super::*;
     use crate::courses::half_edge::classes::classes;
+    use dcel_kit::VertexId;
     use dcel_kit::topology::{isomorphic, violations};
 
     #[test]

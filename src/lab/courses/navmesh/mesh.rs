@@ -9,7 +9,7 @@
 
 use crate::cases::numbers::renumbered;
 use crate::cases::random::Random;
-use crate::checks::walks::cycle;
+use crate::checks::walks::{self, cycle};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
@@ -218,7 +218,7 @@ pub(super) fn sides(table: &Table, f: u32) -> Vec<HalfEdgeId> {
 
 /// The place of a vertex.
 pub(super) fn place(table: &Table, v: VertexId) -> Spot {
-    table.vertices.get(v.index()).and_then(|row| row.as_ref()?.position).unwrap_or_default()
+    walks::place(table, v).unwrap_or_default()
 }
 
 /// The corners of a triangle.

@@ -22,7 +22,7 @@ pub(super) fn genus(table: &Table) -> i64 {
 fn shape(function: &str, numbers: &[usize]) -> Option<Table> {
     match (function, numbers) {
         ("torus_seed", []) => Some(Table::from_view(&Dcel::torus())),
-        ("ring", &[sides]) => Dcel::polygon(sides).ok().map(|ring| Table::from_view(&ring)),
+        ("ring", &[sides]) => reference::ring(sides),
         ("grid", &[n, m]) => reference::grid(n, m),
         ("torus", &[n, m]) => reference::torus(n, m),
         ("cylinder", &[sides, layers]) => reference::tube(sides, layers, [false; 2]),

@@ -1,6 +1,7 @@
 //! The two primitives on tables, and what is made of them. The tests compare them with the kernel and with the shapes
 //! that the kit grows.
 
+use crate::cases::cycles::{link, row_mut};
 use dcel_kit::topology::{Dcel, FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
@@ -25,15 +26,14 @@ pub(super) fn turned(table: &Table, h: HalfEdgeId) -> Option<HalfEdgeId> {
 }
 
 fn edit(table: &mut Table, h: HalfEdgeId, change: impl FnOnce(&mut HalfEdgeRow)) {
-    if let Some(Some(row)) = table.half_edges.get_mut(h.index()) {
+    if let Some(row) = row_mut(table, h) {
         change(row);
     }
 }
 
 fn chain(table: &mut Table, all: &[HalfEdgeId]) {
     for pair in all.windows(2) {
-        edit(table, pair[0], |row| row.next = Some(pair[1]));
-        edit(table, pair[1], |row| row.prev = Some(pair[0]));
+        link(table, pair[0], pair[1]);
     }
 }
 
@@ -168,7 +168,8 @@ pub(super) fn extrude(table: &mut Table, h: HalfEdgeId) -> Option<HalfEdgeId> {
     top
 }
 
-fn ring(sides: usize) -> Option<Table> {
+/// Both sides of a polygon.
+pub(super) fn ring(sides: usize) -> Option<Table> {
     Some(Table::from_view(&Dcel::polygon(sides).ok()?))
 }
 

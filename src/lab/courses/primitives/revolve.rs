@@ -152,15 +152,7 @@ fn renumbered(table: &Table, random: &mut Random) -> (Table, Vec<usize>) {
     let face = |f: FaceId| FaceId::new(orders[2][f.index()] as u32);
     let mut out = numbers::renumbered(table, vertex, half_edge, face);
     // The last one that is seen is stored, whichever that is.
-    for new in half_edges(table).map(half_edge) {
-        let (origin, face) = (out.origin(new), out.face(new));
-        if let Some(Some(stores)) = origin.and_then(|v| out.vertices.get_mut(v.index())) {
-            stores.outgoing = Some(new);
-        }
-        if let Some(Some(stores)) = face.and_then(|f| out.faces.get_mut(f.index())) {
-            stores.half_edge = Some(new);
-        }
-    }
+    numbers::store_last(&mut out, half_edges(table).map(half_edge));
     (out, orders.into_iter().nth(1).unwrap_or_default())
 }
 

@@ -5,7 +5,7 @@
 //! ```
 
 use super::asked::call;
-use super::reference::{round, split_face, split_vertex, turned};
+use super::reference::{ring, round, split_face, split_vertex, turned};
 use crate::protocol::{Case, Step};
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Dcel, Table};
@@ -51,8 +51,7 @@ fn words(function: &str, given: &[String], count: usize) -> Vec<Vec<String>> {
 
 /// Surfaces of both kinds, grown by few primitives, the smallest first.
 fn small() -> Vec<Table> {
-    let polygon = Dcel::polygon(3).map(|ring| Table::from_view(&ring)).ok();
-    let mut all: Vec<Table> = polygon.into_iter().chain([Table::from_view(&Dcel::torus())]).collect();
+    let mut all: Vec<Table> = ring(3).into_iter().chain([Table::from_view(&Dcel::torus())]).collect();
     let mut last = all.clone();
     for _ in 0..GROWN {
         last = last.iter().flat_map(grown).collect();

@@ -35,10 +35,9 @@ pub static PRIMITIVES: Primitives = Primitives;
 
 /// Small surfaces of both kinds.
 fn surfaces() -> Vec<Table> {
-    let polygon = |n| Dcel::polygon(n).map(|ring| Table::from_view(&ring)).ok();
     let seed = Some(Table::from_view(&Dcel::torus()));
     let grown = [reference::cube(1), reference::torus(3, 3), reference::tube(5, 1, [true, false])];
-    [polygon(3), polygon(6), seed].into_iter().chain(grown).flatten().collect()
+    [reference::ring(3), reference::ring(6), seed].into_iter().chain(grown).flatten().collect()
 }
 
 /// Surfaces with more records than a byte can count, and a face of 300 sides.
@@ -117,8 +116,7 @@ fn one(name: &str, function: &str, table: &Table, numbers: &mut Random) -> Vec<C
 
 /// Every half-edge of small surfaces with a spur, cut in two or three: at the tip there is nothing to be moved.
 fn at_spurs() -> Vec<Case> {
-    let polygon = Dcel::polygon(3).map(|ring| Table::from_view(&ring)).ok();
-    let seeds = polygon.into_iter().chain([Table::from_view(&Dcel::torus())]);
+    let seeds = reference::ring(3).into_iter().chain([Table::from_view(&Dcel::torus())]);
     let mut out = Vec::new();
     for (i, mut table) in seeds.enumerate() {
         let first = HalfEdgeId::new(0);
@@ -133,11 +131,8 @@ fn at_spurs() -> Vec<Case> {
 
 /// A polygon of 2(n + m) sides, or a torus whose two edges are cut.
 fn to_fill(name: &str, n: usize, m: usize, is_torus: bool) -> Option<Case> {
-    let (table, first) = if is_torus {
-        reference::torus_to_fill(n, m)?
-    } else {
-        (Table::from_view(&Dcel::polygon(2 * (n + m)).ok()?), HalfEdgeId::new(0))
-    };
+    let (table, first) =
+        if is_torus { reference::torus_to_fill(n, m)? } else { (reference::ring(2 * (n + m))?, HalfEdgeId::new(0)) };
     let words = [format!("h{}", first.number()), n.to_string(), m.to_string()];
     Some(call(format!("{name}.{n}.{m}.{is_torus}"), &table, "fill", &words))
 }

@@ -1,7 +1,9 @@
 //! A list of faces: what is wrong with it, and the tables of its half-edges.
 
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
-use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use crate::cases::cycles::from_cycles;
+use crate::cases::numbers::renumbered;
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{FaceId, HalfEdgeId};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The ends of a half-edge.
@@ -153,44 +155,13 @@ impl Soup {
 
     /// The half-edges of the faces, in the order `order` of their numbers: with twins, but without a border.
     pub(super) fn table(&self, order: &[usize], twins: bool) -> Table {
-        let vertex = || Some(VertexRow { position: Some([0.0; 2]), outgoing: None });
-        let mut table = Table {
-            outer_face: Some(FaceId::new(0)),
-            vertices: (0..self.vertices).map(|_| vertex()).collect(),
-            half_edges: vec![None; order.len()],
-            faces: vec![Some(FaceRow::default())],
-        };
-        let id = |place: usize| HalfEdgeId::new(order[place] as u32);
-        let mut by_ends: BTreeMap<Ends, HalfEdgeId> = BTreeMap::new();
-        let mut begin = 0;
-        for (f, face) in self.faces.iter().enumerate() {
-            let n = face.len();
-            for (i, ends) in Self::sides(face).enumerate() {
-                let h = id(begin + i);
-                let row = HalfEdgeRow {
-                    origin: Some(VertexId::new(ends[0])),
-                    twin: None,
-                    next: Some(id(begin + (i + 1) % n)),
-                    prev: Some(id(begin + (i + n - 1) % n)),
-                    face: Some(FaceId::new(f as u32 + 1)),
-                };
-                table.half_edges[h.index()] = Some(row);
-                by_ends.insert(ends, h);
-                if let Some(Some(vertex)) = table.vertices.get_mut(ends[0] as usize) {
-                    vertex.outgoing = Some(h);
-                }
-            }
-            table.faces.push(Some(FaceRow { half_edge: Some(id(begin)), ..FaceRow::default() }));
-            begin += n;
+        let mut faces: Vec<&[u32]> = vec![&[]];
+        faces.extend(self.faces.iter().map(Vec::as_slice));
+        let mut table = from_cycles(&vec![[0.0; 2]; self.vertices as usize], &faces);
+        if !twins {
+            table.half_edges.iter_mut().flatten().for_each(|row| row.twin = None);
         }
-        if twins {
-            for (&[a, b], &h) in &by_ends {
-                if let Some(row) = &mut table.half_edges[h.index()] {
-                    row.twin = by_ends.get(&[b, a]).copied();
-                }
-            }
-        }
-        table
+        renumbered(&table, |v| v, |h| HalfEdgeId::new(order[h.index()] as u32), |f| f)
     }
 }
 
