@@ -19,7 +19,7 @@ const RECORDS: usize = 50_000;
 
 /// A structure that is being read.
 pub(super) struct Dump {
-    read_into: Into,
+    read_into: Structure,
     /// How many of the references of the structure itself were read; they stand first.
     singles: usize,
     /// Whether records may stand for others: those that have changed.
@@ -28,35 +28,22 @@ pub(super) struct Dump {
     read: usize,
 }
 
-enum Into {
-    HalfEdges(Table),
-    Records(Records),
-}
-
 impl Dump {
     /// A whole structure.
     pub(super) fn new(schema: Schema) -> Self {
-        let read_into = match schema {
-            Schema::HalfEdges => Into::HalfEdges(Table::default()),
-            Schema::Records(schema) => Into::Records(Records::new(schema)),
-        };
-        Self { read_into, singles: 0, over: false, read: 0 }
+        Self { read_into: Structure::empty(schema), singles: 0, over: false, read: 0 }
     }
 
     /// Changes of a structure.
     pub(super) fn on(base: Structure) -> Self {
-        let read_into = match base {
-            Structure::HalfEdges(table) => Into::HalfEdges(Arc::unwrap_or_clone(table)),
-            Structure::Records(records) => Into::Records(Arc::unwrap_or_clone(records)),
-        };
-        Self { read_into, singles: 0, over: true, read: 0 }
+        Self { read_into: base, singles: 0, over: true, read: 0 }
     }
 
     /// The reference of the structure itself that is due, if not all were read.
     fn due(&self) -> Option<&'static str> {
         match &self.read_into {
-            Into::HalfEdges(_) => ["outer"].get(self.singles).copied(),
-            Into::Records(records) => records.schema().singles.get(self.singles).copied(),
+            Structure::HalfEdges(_) => ["outer"].get(self.singles).copied(),
+            Structure::Records(records) => records.schema().singles.get(self.singles).copied(),
         }
     }
 
@@ -74,15 +61,15 @@ impl Dump {
             }
             let to = words.pointer()?;
             match &mut self.read_into {
-                Into::HalfEdges(table) => table.outer_face = to.map(FaceId::new),
-                Into::Records(records) => records.singles[self.singles] = to,
+                Structure::HalfEdges(table) => Arc::make_mut(table).outer_face = to.map(FaceId::new),
+                Structure::Records(records) => Arc::make_mut(records).singles[self.singles] = to,
             }
             self.singles += 1;
             return words.end();
         }
         match &mut self.read_into {
-            Into::HalfEdges(table) => half_edge_record(table, self.over, kind, &mut words),
-            Into::Records(records) => record(records, self.over, kind, &mut words),
+            Structure::HalfEdges(table) => half_edge_record(Arc::make_mut(table), self.over, kind, &mut words),
+            Structure::Records(records) => record(Arc::make_mut(records), self.over, kind, &mut words),
         }?;
         words.end()
     }
@@ -93,10 +80,7 @@ impl Dump {
             let found = "end_dump".to_owned();
             return Err(Broken::Expected { line: number, expected: format!("`{due}`"), found });
         }
-        Ok(match self.read_into {
-            Into::HalfEdges(table) => Structure::HalfEdges(Arc::new(table)),
-            Into::Records(records) => Structure::Records(Arc::new(records)),
-        })
+        Ok(self.read_into)
     }
 }
 
