@@ -52,6 +52,25 @@ impl<'a> Faults<'a> {
     }
 }
 
+/// A law that is broken: a word for it, and a sentence.
+pub type Broken = (&'static str, String);
+
+/// A law that holds, or is broken.
+///
+/// # Errors
+/// It is broken.
+pub fn law(holds: bool, tag: &'static str, words: impl FnOnce() -> String) -> Result<(), Broken> {
+    told(holds.then_some(()), tag, words)
+}
+
+/// What is there by a law.
+///
+/// # Errors
+/// It is not there.
+pub fn told<T>(there: Option<T>, tag: &'static str, words: impl FnOnce() -> String) -> Result<T, Broken> {
+    there.ok_or_else(|| (tag, words()))
+}
+
 /// An element in a sentence.
 #[must_use]
 pub fn named<T: Display>(element: Option<T>) -> String {

@@ -2,7 +2,8 @@
 
 use super::laws::broken;
 use super::model::{Model, Place};
-use crate::fault::{Fault, FaultKind, answered};
+use crate::checks::faults::{Broken, law, told};
+use crate::fault::{Exchange, Fault, FaultKind, answered};
 use crate::many::too_many_reads;
 use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step, Structure, Value};
 
@@ -45,52 +46,34 @@ pub(super) fn may_be_asked(model: &mut Model, function: &str, words: &[String]) 
     is_there
 }
 
-/// Where a case has come to.
-#[derive(Clone, Copy)]
-struct At<'a> {
-    step: usize,
-    function: &'a str,
-    words: &'a [String],
-}
-
-impl At<'_> {
-    fn line(&self) -> String {
-        format!("{} {}", self.function, self.words.join(" "))
-    }
-
-    /// Whether the call changes the mesh.
-    fn is_edit(&self) -> bool {
-        is_edit(self.function)
-    }
-}
-
 /// Of edits, the first thing that is wrong: what comes after it follows from it. Of questions, all that is wrong.
 pub(super) fn judge(test: &'static str, model: &Model, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
     let fault = |step, kind, rule: &str, tag: &str, words| Fault::new(test, kind, step, [rule, tag], words);
     let mut model = model.clone();
-    let mut last: Option<At> = None;
+    let mut last: Option<Exchange> = None;
     // How many edits were made since the mesh was looked at.
     let mut unseen = 0;
     let mut out = Vec::new();
     for (step, asked, reply) in answered(case, answer) {
         match (asked, reply) {
             (Step::Call { function, arguments: words }, reply) => {
-                let at = At { step, function, words };
+                let at =
+                    Exchange { step, function, words, called: None, structure_before: None, structure_after: None };
                 last = Some(at);
-                unseen += usize::from(at.is_edit());
+                unseen += usize::from(is_edit(at.function));
                 if let Some((kind, tag, words)) = wrong_call(&mut model, &at, reply) {
                     // The calls after which the mesh is looked at come after each other: the next one is wrong, too.
-                    let looked_at = next_seen(case, step).filter(|&next| at.is_edit() && next != step);
+                    let looked_at = next_seen(case, step).filter(|&next| is_edit(at.function) && next != step);
                     out.push(fault(step, kind.clone(), function, tag, words.clone()));
                     out.extend(looked_at.map(|next| fault(next, kind, function, tag, words)));
-                    if at.is_edit() {
+                    if is_edit(at.function) {
                         return out;
                     }
                 }
             }
             (Step::Reads, Reply::Reads(reads)) => {
                 let Some(at) = last else { continue };
-                let limit = if at.is_edit() { READS_OF_AN_EDIT } else { READS_OF_A_CLIMB };
+                let limit = if is_edit(at.function) { READS_OF_AN_EDIT } else { READS_OF_A_CLIMB };
                 if *reads > limit {
                     let size = ("structure", case.start.structure().map_or(0, Structure::len), "records");
                     out.push(too_many_reads(test, step, (&at.line(), *reads), size, "a few hundred"));
@@ -126,7 +109,7 @@ fn next_seen(case: &Case, from: usize) -> Option<usize> {
 }
 
 /// What is wrong with a call by itself.
-fn wrong_call(model: &mut Model, at: &At, reply: &Reply) -> Option<(FaultKind, &'static str, String)> {
+fn wrong_call(model: &mut Model, at: &Exchange, reply: &Reply) -> Option<(FaultKind, &'static str, String)> {
     let Reply::Called(Called { end, .. }) = reply else {
         return Some((FaultKind::Wrong, "unresolved", format!("{}: there is no such record", at.line())));
     };
@@ -144,7 +127,7 @@ fn wrong_call(model: &mut Model, at: &At, reply: &Reply) -> Option<(FaultKind, &
 }
 
 /// Makes the edit in the model; what is wrong with the values, if anything.
-fn wrong(model: &mut Model, function: &str, words: &[String], values: &[Value]) -> Option<(&'static str, String)> {
+fn wrong(model: &mut Model, function: &str, words: &[String], values: &[Value]) -> Option<Broken> {
     let (numbers, ids) = (numbers(words), ids(words));
     let refused = matches!(values, [Value::Refusal(_)]);
     match (function, &ids[..]) {
@@ -175,44 +158,38 @@ fn wrong(model: &mut Model, function: &str, words: &[String], values: &[Value]) 
             model.remove_vertex(v);
             None
         }
-        ("support_by_scan", _) => highest(model, direction(&numbers), values),
-        ("support", &[_, ..]) => highest(model, direction(&numbers[1..]), values),
-        ("climb", &[from, ..]) => climb(model, from, direction(&numbers[1..]), values),
+        ("support_by_scan", _) => highest(model, direction(&numbers), values).err(),
+        ("support", &[_, ..]) => highest(model, direction(&numbers[1..]), values).err(),
+        ("climb", &[from, ..]) => climb(model, from, direction(&numbers[1..]), values).err(),
         _ => None,
     }
 }
 
-fn highest(model: &Model, d: Place, values: &[Value]) -> Option<(&'static str, String)> {
+fn highest(model: &Model, d: Place, values: &[Value]) -> Result<(), Broken> {
     let Some(best) = model.highest(d) else {
         let refused = matches!(values, [Value::Refusal(_)]);
-        return (!refused).then(|| ("accepted", "there is no vertex, expected a refusal".to_owned()));
+        return law(refused, "accepted", || "there is no vertex, expected a refusal".to_owned());
     };
-    match values {
-        [Value::Id(v)] if model.place(*v as usize).is_none() => Some(("dead", format!("v{v} is no vertex"))),
-        [Value::Id(v)] => model.higher(d, best, *v as usize).is_gt().then(|| ("lower", format!("v{best} is higher"))),
-        _ => Some(("type", "expected a vertex".to_owned())),
-    }
+    let [Value::Id(v)] = values else { return Err(("type", "expected a vertex".to_owned())) };
+    law(model.place(*v as usize).is_some(), "dead", || format!("v{v} is no vertex"))?;
+    law(model.higher(d, best, *v as usize).is_le(), "lower", || format!("v{best} is higher"))
 }
 
-fn climb(model: &Model, from: usize, d: Place, values: &[Value]) -> Option<(&'static str, String)> {
+fn climb(model: &Model, from: usize, d: Place, values: &[Value]) -> Result<(), Broken> {
     let found: Option<Vec<usize>> = values.iter().map(|value| value.id().map(|id| id as usize)).collect();
-    let Some(found) = found else { return Some(("type", "expected a list of vertices".to_owned())) };
-    if found.first() != Some(&from) {
-        return Some(("start", format!("it should begin with v{from}")));
-    }
+    let found = told(found, "type", || "expected a list of vertices".to_owned())?;
+    law(found.first() == Some(&from), "start", || format!("it should begin with v{from}"))?;
     for pair in found.windows(2) {
         let [v, next] = [pair[0], pair[1]];
-        if !model.neighbours(v).contains(&next) {
-            return Some(("neighbour", format!("v{next} is no neighbour of v{v}")));
-        }
-        if model.higher(d, next, v).is_le() {
-            return Some(("level", format!("v{next} is not higher than v{v}")));
-        }
+        law(model.neighbours(v).contains(&next), "neighbour", || format!("v{next} is no neighbour of v{v}"))?;
+        law(model.higher(d, next, v).is_gt(), "level", || format!("v{next} is not higher than v{v}"))?;
         if let Some(best) = model.steepest(v, d).filter(|&best| model.higher(d, best, next).is_gt()) {
-            return Some(("steepest", format!("of the neighbours of v{v}, v{best} is higher than v{next}")));
+            return Err(("steepest", format!("of the neighbours of v{v}, v{best} is higher than v{next}")));
         }
     }
-    let last = *found.last()?;
-    let higher = model.steepest(last, d)?;
-    Some(("early", format!("it ends at v{last}, beside which v{higher} is higher")))
+    let last = found.last().copied().unwrap_or(from);
+    match model.steepest(last, d) {
+        Some(higher) => Err(("early", format!("it ends at v{last}, beside which v{higher} is higher"))),
+        None => Ok(()),
+    }
 }

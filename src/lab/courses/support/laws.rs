@@ -9,11 +9,9 @@
 //! ```
 
 use super::model::Model;
+use crate::checks::faults::{Broken, law, told};
 use crate::protocol::{Cell, Records};
 use std::ops::Range;
-
-/// A law that is broken: a word for it, and a sentence.
-pub(super) type Broken = (&'static str, String);
 
 /// A half-edge of a dump.
 #[derive(Clone, Copy)]
@@ -82,14 +80,12 @@ impl Sides {
 /// The first law that is broken.
 pub(super) fn broken(records: &Records, model: &Model) -> Option<Broken> {
     let sides = Sides::of(model);
-    vertices(records, model, &sides)
-        .or_else(|| half_edges(records, model, &sides))
-        .or_else(|| faces(records, model))
-        .or_else(|| beside(records))
+    let all = vertices(records, model, &sides).and_then(|()| half_edges(records, model, &sides));
+    all.and_then(|()| faces(records, model)).and_then(|()| beside(records)).err()
 }
 
 /// What the program says of the free lists and of the edge map.
-fn beside(records: &Records) -> Option<Broken> {
+fn beside(records: &Records) -> Result<(), Broken> {
     let names = [("v", "vertices"), ("h", "half-edges"), ("f", "faces")];
     let all = names
         .into_iter()
@@ -106,170 +102,111 @@ fn beside(records: &Records) -> Option<Broken> {
             4 | 5 => ("map.none", format!("the edge map does not lead to {letter}{number} from its two ends")),
             _ => continue,
         };
-        return Some(wrong);
+        return Err(wrong);
     }
-    None
+    Ok(())
 }
 
-fn vertices(records: &Records, model: &Model, sides: &Sides) -> Option<Broken> {
+fn vertices(records: &Records, model: &Model, sides: &Sides) -> Result<(), Broken> {
     let (found, expected) = (records.len(0), model.vertices.len());
-    if found != expected {
-        return Some(("vertex.records", format!("there are {found} vertex records, expected {expected}")));
-    }
+    law(found == expected, "vertex.records", || format!("there are {found} vertex records, expected {expected}"))?;
     for (v, row) in records.rows(0).enumerate() {
         let Some(place) = model.place(v) else {
-            if is_live(row) {
-                return Some(("vertex.live", format!("v{v} is live still, although it was removed")));
-            }
+            law(!is_live(row), "vertex.live", || format!("v{v} is live still, although it was removed"))?;
             continue;
         };
-        if !is_live(row) {
-            return Some(("vertex.dead", format!("v{v} is not live, although it exists")));
-        }
-        if place.iter().zip(row).any(|(x, cell)| cell.number() != Some(*x)) {
-            return Some(("vertex.place", format!("v{v} is not at ({}, {}, {})", place[0], place[1], place[2])));
-        }
-        let outgoing = row[3].to();
+        law(is_live(row), "vertex.dead", || format!("v{v} is not live, although it exists"))?;
+        let is_there = place.iter().zip(row).all(|(x, cell)| cell.number() == Some(*x));
+        law(is_there, "vertex.place", || format!("v{v} is not at ({}, {}, {})", place[0], place[1], place[2]))?;
         let has_face = !sides.from(v).is_empty();
-        match outgoing {
-            None if has_face => {
-                return Some((
-                    "vertex.none",
-                    format!("v{v} has no outgoing half-edge, although triangles have it as a corner"),
-                ));
-            }
-            Some(h) if !has_face => {
-                return Some((
-                    "vertex.stale",
-                    format!("v{v} has no triangle, but its outgoing half-edge is h{h}; expected none"),
-                ));
-            }
-            Some(h) => {
-                let Some(to) = half_edge(records, h) else {
-                    return Some(("vertex.free", format!("the outgoing half-edge of v{v} is h{h}, which is free")));
-                };
-                if to.origin != Some(v as u32) {
-                    return Some((
-                        "vertex.outgoing",
-                        format!("the outgoing half-edge of v{v} is h{h}, which does not start there"),
-                    ));
-                }
-                if to.face.is_none() {
-                    return Some((
-                        "vertex.border",
-                        format!("the outgoing half-edge of v{v} is h{h}, which has no face; another one has"),
-                    ));
-                }
-            }
-            None => {}
-        }
+        let Some(h) = row[3].to() else {
+            law(!has_face, "vertex.none", || {
+                format!("v{v} has no outgoing half-edge, although triangles have it as a corner")
+            })?;
+            continue;
+        };
+        law(has_face, "vertex.stale", || {
+            format!("v{v} has no triangle, but its outgoing half-edge is h{h}; expected none")
+        })?;
+        let to = half_edge(records, h);
+        let to = told(to, "vertex.free", || format!("the outgoing half-edge of v{v} is h{h}, which is free"))?;
+        law(to.origin == Some(v as u32), "vertex.outgoing", || {
+            format!("the outgoing half-edge of v{v} is h{h}, which does not start there")
+        })?;
+        law(to.face.is_some(), "vertex.border", || {
+            format!("the outgoing half-edge of v{v} is h{h}, which has no face; another one has")
+        })?;
     }
-    None
+    Ok(())
 }
 
-fn half_edges(records: &Records, model: &Model, sides: &Sides) -> Option<Broken> {
+fn half_edges(records: &Records, model: &Model, sides: &Sides) -> Result<(), Broken> {
     // The half-edge of each side, and that of the other direction where no triangle has it.
     let mut met: Vec<[Option<u32>; 2]> = vec![[None; 2]; sides.sides.len()];
-    for (h, _) in records.rows(1).enumerate().filter(|(_, row)| is_live(row)) {
-        let h = h as u32;
-        let of = half_edge(records, h)?;
+    for h in 0..records.len(1) as u32 {
+        let Some(of) = half_edge(records, h) else { continue };
         let get = |to: Option<u32>| to.and_then(|to| half_edge(records, to));
-        let Some(twin) = get(of.twin) else {
-            return Some(("twin.none", format!("the twin of h{h} is not set, or free")));
-        };
-        if twin.twin != Some(h) || of.twin == Some(h) {
-            return Some(("twin.twin", format!("the twin of the twin of h{h} is not h{h}")));
-        }
-        let (Some(from), Some(to)) = (of.origin, twin.origin) else {
-            return Some(("origin.none", format!("the origin of h{h} or of its twin is not set")));
-        };
+        let twin = told(get(of.twin), "twin.none", || format!("the twin of h{h} is not set, or free"))?;
+        let is_mutual = twin.twin == Some(h) && of.twin != Some(h);
+        law(is_mutual, "twin.twin", || format!("the twin of the twin of h{h} is not h{h}"))?;
+        let ends = of.origin.zip(twin.origin);
+        let (from, to) = told(ends, "origin.none", || format!("the origin of h{h} or of its twin is not set"))?;
         let side = sides.number(from, to);
-        let Some((edge, way)) = side.map(|side| (side, 0)).or_else(|| Some((sides.number(to, from)?, 1))) else {
-            return Some((
-                "edge.orphan",
-                format!("the edge of v{from} and v{to} is still there, although no triangle has it"),
-            ));
-        };
+        let edge = side.map(|side| (side, 0)).or_else(|| Some((sides.number(to, from)?, 1)));
+        let (edge, way) = told(edge, "edge.orphan", || {
+            format!("the edge of v{from} and v{to} is still there, although no triangle has it")
+        })?;
         if let Some(other) = met[edge][way].replace(h) {
-            return Some(("double", format!("h{other} and h{h} both lead from v{from} to v{to}")));
+            return Err(("double", format!("h{other} and h{h} both lead from v{from} to v{to}")));
         }
-        match (side, of.face) {
-            (None, Some(f)) => {
-                return Some((
-                    "face.stale",
-                    format!("h{h} from v{from} to v{to} has the face f{f}, although no triangle is there"),
-                ));
+        let Some(side) = side else {
+            if let Some(f) = of.face {
+                let words = format!("h{h} from v{from} to v{to} has the face f{f}, although no triangle is there");
+                return Err(("face.stale", words));
             }
-            (None, None) => {
-                if of.next.or(of.prev).is_some() {
-                    return Some((
-                        "border.links",
-                        format!("h{h} lies at a border, but its next or prev is set; expected neither"),
-                    ));
-                }
-            }
-            (Some(_), None) => {
-                return Some((
-                    "face.none",
-                    format!("h{h} from v{from} to v{to} has no face, although a triangle is there"),
-                ));
-            }
-            (Some(side), Some(_)) => {
-                let corner = sides.sides[side].1;
-                let (Some(next), Some(prev)) = (get(of.next), get(of.prev)) else {
-                    return Some(("next.none", format!("the next or prev of h{h} is not set, or free")));
-                };
-                if next.prev != Some(h) || prev.next != Some(h) {
-                    return Some((
-                        "next.prev",
-                        format!("next and prev of h{h} do not agree with those of its neighbours"),
-                    ));
-                }
-                if next.origin != Some(to) || prev.origin != Some(corner as u32) {
-                    return Some((
-                        "next.origin",
-                        format!("from h{h}, v{from} to v{to}, the triangle should go on to v{corner}"),
-                    ));
-                }
-                if next.face != of.face || prev.face != of.face {
-                    return Some((
-                        "face.cycle",
-                        format!("the half-edges of the triangle of h{h} have different faces"),
-                    ));
-                }
-            }
-        }
+            law(of.next.or(of.prev).is_none(), "border.links", || {
+                format!("h{h} lies at a border, but its next or prev is set; expected neither")
+            })?;
+            continue;
+        };
+        law(of.face.is_some(), "face.none", || {
+            format!("h{h} from v{from} to v{to} has no face, although a triangle is there")
+        })?;
+        let corner = sides.sides[side].1;
+        let links = get(of.next).zip(get(of.prev));
+        let (next, prev) = told(links, "next.none", || format!("the next or prev of h{h} is not set, or free"))?;
+        law(next.prev == Some(h) && prev.next == Some(h), "next.prev", || {
+            format!("next and prev of h{h} do not agree with those of its neighbours")
+        })?;
+        law(next.origin == Some(to) && prev.origin == Some(corner as u32), "next.origin", || {
+            format!("from h{h}, v{from} to v{to}, the triangle should go on to v{corner}")
+        })?;
+        law(next.face == of.face && prev.face == of.face, "face.cycle", || {
+            format!("the half-edges of the triangle of h{h} have different faces")
+        })?;
     }
     if let Some(side) = met.iter().position(|[there, _]| there.is_none()) {
         let (a, b) = sides.sides[side].0;
-        return Some(("edge.none", format!("there is no half-edge from v{a} to v{b}, although a triangle is there")));
+        return Err(("edge.none", format!("there is no half-edge from v{a} to v{b}, although a triangle is there")));
     }
     let (found, most) = (records.len(1), 2 * model.most[0]);
-    (found > most).then(|| {
-        (
-            "half_edge.records",
-            format!("there are {found} half-edge records, where {most} are enough: free ones should be used again"),
-        )
+    law(found <= most, "half_edge.records", || {
+        format!("there are {found} half-edge records, where {most} are enough: free ones should be used again")
     })
 }
 
-fn faces(records: &Records, model: &Model) -> Option<Broken> {
+fn faces(records: &Records, model: &Model) -> Result<(), Broken> {
     let live = records.rows(2).filter(|row| is_live(row)).count();
     let expected = model.across.len() / 3;
-    if live != expected {
-        return Some(("face.live", format!("{live} faces are live, expected {expected}")));
-    }
+    law(live == expected, "face.live", || format!("{live} faces are live, expected {expected}"))?;
     for (f, row) in records.rows(2).enumerate().filter(|(_, row)| is_live(row)) {
         let side = row[0].to().and_then(|h| half_edge(records, h));
-        if side.and_then(|side| side.face) != Some(f as u32) {
-            return Some(("face.half_edge", format!("the incident half-edge of f{f} does not have f{f} as its face")));
-        }
+        law(side.and_then(|side| side.face) == Some(f as u32), "face.half_edge", || {
+            format!("the incident half-edge of f{f} does not have f{f} as its face")
+        })?;
     }
     let (found, most) = (records.len(2), model.most[1]);
-    (found > most).then(|| {
-        (
-            "face.records",
-            format!("there are {found} face records, where {most} are enough: free ones should be used again"),
-        )
+    law(found <= most, "face.records", || {
+        format!("there are {found} face records, where {most} are enough: free ones should be used again")
     })
 }

@@ -7,6 +7,7 @@
 
 use super::geometry::turn;
 use super::lists::{cycle, next, place, places, prev};
+use crate::checks::faults::{Broken, law, told};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::protocol::{CallEnd, Records, Value};
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,65 +41,50 @@ pub(super) fn judge(exchange: &Exchange) -> Option<Fault> {
 }
 
 /// What is wrong with the triangles at some corners: a word for it, and a sentence.
-fn wrong(polygon: &[[f64; 2]], after: &Records, returned: &[u32]) -> Option<(&'static str, String)> {
+fn wrong(polygon: &[[f64; 2]], after: &Records, returned: &[u32]) -> Option<Broken> {
+    covers(polygon, after, returned).err()
+}
+
+fn covers(polygon: &[[f64; 2]], after: &Records, returned: &[u32]) -> Result<(), Broken> {
     let n = polygon.len();
     let mut seen = BTreeSet::new();
     let mut sides: BTreeMap<[[u64; 2]; 2], u32> = BTreeMap::new();
-    let count = (0..after.len(0) as u32)
-        .find(|&corner| next(after, corner).and_then(|next| prev(after, next)) != Some(corner))
-        .map(|corner| format!("c{corner}.next.prev is not c{corner}"));
-    if let Some(words) = count {
-        return Some(("links", words));
+    let all = || 0..after.len(0) as u32;
+    for corner in all() {
+        let back = next(after, corner).and_then(|next| prev(after, next));
+        law(back == Some(corner), "links", || format!("c{corner}.next.prev is not c{corner}"))?;
     }
     for &corner in returned {
-        let Some(corners) = cycle(after, corner) else {
-            return Some(("cycle", format!("next leads nowhere, or does not come back, from c{corner}")));
-        };
-        if corners.len() != 3 {
-            return Some((
-                "size",
-                format!("the polygon of c{corner}, which is returned, has {} corners", corners.len()),
-            ));
-        }
-        if !corners.iter().all(|&corner| seen.insert(corner)) {
-            return Some(("twice", format!("the triangle of c{corner} is returned twice")));
-        }
+        let corners = told(cycle(after, corner), "cycle", || {
+            format!("next leads nowhere, or does not come back, from c{corner}")
+        })?;
+        law(corners.len() == 3, "size", || {
+            format!("the polygon of c{corner}, which is returned, has {} corners", corners.len())
+        })?;
+        let is_new = corners.iter().all(|&corner| seen.insert(corner));
+        law(is_new, "twice", || format!("the triangle of c{corner} is returned twice"))?;
         let [p, q, r] = [0, 1, 2].map(|i| place(after, corners[i]).unwrap_or_default());
         let told = format!("({}, {}), ({}, {}), ({}, {})", p[0], p[1], q[0], q[1], r[0], r[1]);
-        match turn(p, q, r) {
-            1 => {}
-            0 => return Some(("flat", format!("the triangle {told} is flat: its corners are on one line"))),
-            _ => {
-                return Some((
-                    "clockwise",
-                    format!("the triangle {told} runs clockwise: it lies outside of the polygon"),
-                ));
-            }
-        }
+        let way = turn(p, q, r);
+        law(way != 0, "flat", || format!("the triangle {told} is flat: its corners are on one line"))?;
+        law(way == 1, "clockwise", || format!("the triangle {told} runs clockwise: it lies outside of the polygon"))?;
         for (a, b) in [(p, q), (q, r), (r, p)] {
             *sides.entry([key(a), key(b)]).or_default() += 1;
         }
     }
-    if returned.len() != n - 2 {
-        let words = format!(
-            "there are {} triangles, expected {}: a polygon of {n} corners has {}",
-            returned.len(),
-            n - 2,
-            n - 2
-        );
-        let tag = if returned.len() < n - 2 { "fewer" } else { "more" };
-        return Some((tag, words));
-    }
+    let (count, due) = (returned.len(), n - 2);
+    law(count == due, if count < due { "fewer" } else { "more" }, || {
+        format!("there are {count} triangles, expected {due}: a polygon of {n} corners has {due}")
+    })?;
     let own: BTreeSet<[[u64; 2]; 2]> = (0..n).map(|k| [key(polygon[k]), key(polygon[(k + 1) % n])]).collect();
     let odd = own.iter().any(|side| sides.get(side) != Some(&1))
         || sides.iter().any(|(&[a, b], &times)| times != 1 || !own.contains(&[a, b]) && sides.get(&[b, a]) != Some(&1));
-    if odd {
-        return Some(("cover", "the triangles do not cover the polygon once: some overlap, or lie outside".to_owned()));
-    }
-    if let Some(corner) = (0..after.len(0) as u32).find(|corner| !seen.contains(corner)) {
-        return Some(("left over", format!("c{corner} belongs to none of the triangles that are returned")));
-    }
-    None
+    law(!odd, "cover", || "the triangles do not cover the polygon once: some overlap, or lie outside".to_owned())?;
+    all().try_for_each(|corner| {
+        law(seen.contains(&corner), "left over", || {
+            format!("c{corner} belongs to none of the triangles that are returned")
+        })
+    })
 }
 
 #[cfg(test)]
