@@ -89,8 +89,7 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
             let way = corridor(table, start, goal);
             set.add(Word::Same, start == goal);
             set.add(Word::OuterAsked, !is_triangle(table, start) || !is_triangle(table, goal));
-            set.add(Word::Unreachable, way.is_none());
-            set.add(Word::Reachable, way.is_some());
+            set.either(Word::Unreachable, Word::Reachable, way.is_none());
             let both = is_triangle(table, start) && is_triangle(table, goal);
             set.add(Word::Apart, both && way.is_none());
             set.add(Word::DeepLonger, both && deep_is_longer(table, start, goal));
@@ -101,8 +100,7 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
         }
         ("portals", ids, _) => {
             let all = portals(table, ids).unwrap_or_default();
-            set.add(Word::NoPortal, all.is_empty());
-            set.add(Word::SomePortal, !all.is_empty());
+            set.either(Word::NoPortal, Word::SomePortal, all.is_empty());
             set.add(Word::SmallerRight, all.iter().any(|[left, right]| right < left));
             set.add(Word::Many2, ids.len() > 2);
             set.add(Word::Many8, ids.len() > 8);
@@ -111,8 +109,7 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
             let way = path(table, start, goal);
             set.add(Word::Outside, [start, goal].iter().any(|&p| triangles_of(table, p).is_empty()));
             set.add(Word::Same, same(start, goal));
-            set.add(Word::Unreachable, way.is_none());
-            set.add(Word::Reachable, way.is_some());
+            set.either(Word::Unreachable, Word::Reachable, way.is_none());
             add_point(table, start, &mut set);
             let way = way.unwrap_or_default();
             set.add(Word::Straight, way.len() == 2);

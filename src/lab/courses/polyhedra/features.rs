@@ -87,8 +87,7 @@ fn of_surface(surface: &Surface, set: &mut FeatureSet) {
 
 fn of_vertex(surface: &Surface, v: u32, set: &mut FeatureSet) {
     let degree = surface.spokes(v).len();
-    set.add(Word::Degree2, degree <= 2);
-    set.add(Word::Degree3, degree > 2);
+    set.either(Word::Degree2, Word::Degree3, degree <= 2);
     set.add(Word::Degree8, degree > 8);
     set.add(Word::Degree16, degree > 16);
     set.add(Word::Removed, surface.has_removed());

@@ -102,12 +102,9 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
 
 fn add_turn(set: &mut FeatureSet, [p, q, r]: [[f64; 2]; 3]) {
     let (truth, doubles, [one, other]) = (orientation(p, q, r), naive(p, q, r), products(p, q, r));
-    set.add(Word::Straight, truth == 0);
-    set.add(Word::Bent, truth != 0);
-    set.add(Word::Left, truth > 0);
-    set.add(Word::Right, truth < 0);
-    set.add(Word::NotRight, truth >= 0);
-    set.add(Word::NotLeft, truth <= 0);
+    set.either(Word::Straight, Word::Bent, truth == 0);
+    set.either(Word::Left, Word::NotLeft, truth > 0);
+    set.either(Word::Right, Word::NotRight, truth < 0);
     set.add(Word::DoublesWrong, doubles != truth);
     set.add(Word::DoublesZero, doubles == 0 && truth != 0);
     set.add(Word::Even, one - other == 0.0);
@@ -163,8 +160,7 @@ fn add_triangle(set: &mut FeatureSet, [p, a, b, c]: [[f64; 2]; 4]) {
     set.add(Word::Inside, place > 0);
     set.add(Word::Outside, place < 0);
     set.add(Word::OnLine, place < 0 && on_a_line);
-    set.add(Word::CornersLeft, !clockwise);
-    set.add(Word::CornersRight, clockwise);
+    set.either(Word::CornersRight, Word::CornersLeft, clockwise);
     set.add(Word::InsideRight, clockwise && place > 0);
     set.add(Word::OutsideRight, clockwise && place < 0);
     let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| orientation(from, to, p));
@@ -184,13 +180,11 @@ fn add_circle(set: &mut FeatureSet, points: [[f64; 2]; 4]) {
     let sign = |x: f64| x.partial_cmp(&0.0).map_or(0, |sign| sign as i32);
     set.add(Word::CircleMiddle, sign(parts[0] + parts[1] + parts[2]) != sign(parts[0] - parts[1] + parts[2]));
     set.add(Word::CircleDiameter, sign(-(ax * cx + ay * cy)) != place);
-    set.add(Word::OnCircle, place == 0);
+    set.either(Word::OnCircle, Word::OffCircle, place == 0);
     set.add(Word::InCircle, place > 0);
     set.add(Word::OutCircle, place < 0);
-    set.add(Word::OffCircle, place != 0);
     set.add(Word::OffCircleRight, place != 0 && clockwise);
-    set.add(Word::CornersLeft, !clockwise);
-    set.add(Word::CornersRight, clockwise);
+    set.either(Word::CornersRight, Word::CornersLeft, clockwise);
 }
 
 fn add_sum(set: &mut FeatureSet, numbers: &[f64]) {

@@ -131,8 +131,7 @@ fn add_face(set: &mut FeatureSet, model: &Model, earlier: &[&Exchange], corners:
     let sides = [(a, b), (b, c), (c, a)];
     let is_legal = model.refusal(corners).is_none();
     let there = |side: &(usize, usize)| both(*side, model);
-    set.add(Word::Legal, is_legal);
-    set.add(Word::Refused, !is_legal);
+    set.either(Word::Legal, Word::Refused, is_legal);
     let same = a == b || b == c || c == a;
     let missing = corners.iter().any(|&v| model.place(v).is_none());
     let taken = sides.iter().any(|side| model.across.contains_key(side));
@@ -180,8 +179,7 @@ fn remove_face(set: &mut FeatureSet, model: &Model, records: &Records, (a, b): (
 fn remove_vertex(set: &mut FeatureSet, model: &Model, records: &Records, v: usize) {
     let with = model.sides_from(v).len();
     let all = model.neighbours(v).len();
-    set.add(Word::NoFace, with == 0);
-    set.add(Word::HasFace, with > 0);
+    set.either(Word::NoFace, Word::HasFace, with == 0);
     set.add(Word::Open, with > 0 && with < all);
     set.add(Word::Closed, with > 0 && with == all);
     // A turn by the twin of the previous one, from the half-edge that is stored.

@@ -104,8 +104,7 @@ fn add_split(set: &mut FeatureSet, records: &Records, u: u32, v: u32) {
     set.add(Word::Next, to(u) == Some(v));
     set.add(Word::Prev, to(v) == Some(u));
     set.add(Word::Neighbours, u != v && refused);
-    set.add(Word::Refused, refused);
-    set.add(Word::Cut, !refused);
+    set.either(Word::Refused, Word::Cut, refused);
     set.add(Word::CutSeen, !refused && place(records, u) != place(records, v));
     set.add(Word::Ear, !refused && to(u).and_then(to) == Some(v));
     set.add(Word::OtherEar, !refused && to(v).and_then(to) == Some(u));
@@ -134,8 +133,7 @@ fn add_diagonal(set: &mut FeatureSet, polygon: &[[f64; 2]], u: usize, v: usize) 
         turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
     });
     let touched = others.clone().any(|k| super::geometry::on_segment(polygon[k], a, b));
-    set.add(Word::Yes, kind == Diagonal::Yes);
-    set.add(Word::No, kind != Diagonal::Yes);
+    set.either(Word::Yes, Word::No, kind == Diagonal::Yes);
     set.add(Word::Same, kind == Diagonal::Same);
     set.add(Word::Side, kind == Diagonal::Side);
     let line = !matches!(kind, Diagonal::Side | Diagonal::Same);
@@ -145,8 +143,7 @@ fn add_diagonal(set: &mut FeatureSet, polygon: &[[f64; 2]], u: usize, v: usize) 
     set.add(Word::Crosses, kind == Diagonal::Crosses);
     set.add(Word::CrossesOrTouches, matches!(kind, Diagonal::Crosses | Diagonal::Touches));
     set.add(Word::AllOutside, line && kind == Diagonal::Outside && !crossed && !touched);
-    set.add(Word::ReflexU, at(polygon, u) < 0);
-    set.add(Word::ConvexU, at(polygon, u) >= 0);
+    set.either(Word::ReflexU, Word::ConvexU, at(polygon, u) < 0);
     set.add(Word::ReflexV, at(polygon, v) < 0);
     set.add(Word::StraightU, at(polygon, u) == 0);
     set.add(Word::YesReflexU, kind == Diagonal::Yes && at(polygon, u) < 0);
@@ -166,11 +163,9 @@ fn add_ear(set: &mut FeatureSet, polygon: &[[f64; 2]]) {
     let others = &polygon[2..n - 1];
     set.add(Word::Reflex, angle < 0);
     set.add(Word::Straight, angle == 0);
-    set.add(Word::ReflexOrStraight, angle <= 0);
-    set.add(Word::Convex, angle > 0);
+    set.either(Word::Convex, Word::ReflexOrStraight, angle > 0);
     set.add(Word::ConvexNoEar, angle > 0 && kind != Diagonal::Yes);
-    set.add(Word::IsEar, kind == Diagonal::Yes);
-    set.add(Word::NoEar, kind != Diagonal::Yes);
+    set.either(Word::IsEar, Word::NoEar, kind == Diagonal::Yes);
     set.add(Word::NextDiffers, (kind == Diagonal::Yes) != (ear(polygon, 1) == Diagonal::Yes));
     set.add(Word::InTriangle, angle > 0 && others.iter().any(inside));
     set.add(Word::OnCut, angle > 0 && others.iter().any(on_cut) && !others.iter().any(inside));
