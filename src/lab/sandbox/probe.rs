@@ -145,37 +145,25 @@ pub(super) fn probe(launcher: &Path, choice: SandboxChoice) -> (SandboxChoice, V
     let base = attempt(none).map(|trial| trial.past_the_end());
     let own = nix::unistd::geteuid().as_raw();
     let (mut up, mut said) = (none, Vec::new());
-    let mut barrier = |name: &str, up: bool, tried: Result<Option<String>, String>| {
-        let (stands, missing) = match (&base, up, tried) {
-            (Err(why), ..) => (false, Some(why.clone())),
-            (Ok(_), true, Err(why)) => (false, Some(why)),
-            (Ok(_), false, _) => (false, Some("switched off".to_owned())),
-            (Ok(_), true, Ok(passed)) => (true, passed),
+    let mut barrier = |name: &str, wanted: bool, tried: &mut dyn FnMut() -> Result<Option<String>, String>| {
+        let (stands, missing) = match &base {
+            Err(why) => (false, Some(why.clone())),
+            Ok(_) if !wanted => (false, Some("switched off".to_owned())),
+            Ok(_) => tried().map_or_else(|why| (false, Some(why)), |passed| (true, passed)),
         };
         said.push(Barrier { name: name.to_owned(), missing });
         stands
     };
-    let skipped = || Err(String::new());
-    let go = base.is_ok();
-    let tried = if go && choice.own_user {
+    up.own_user = barrier("own user", choice.own_user, &mut || {
         attempt(SandboxChoice { own_user: true, ..none }).map(|trial| trial.past_own_user(own))
-    } else {
-        skipped()
-    };
-    up.own_user = barrier("own user", choice.own_user, tried);
-    let tried = if go && choice.own_files {
+    });
+    up.own_files = barrier("own files only", choice.own_files, &mut || {
         attempt(SandboxChoice { own_files: true, ..up }).map(|trial| trial.past_own_files())
-    } else {
-        skipped()
-    };
-    up.own_files = barrier("own files only", choice.own_files, tried);
-    let tried = if go && choice.namespaces {
+    });
+    up.namespaces = barrier(NAMESPACES, choice.namespaces, &mut || {
         let alone = attempt(SandboxChoice { namespaces: true, own_files: false, ..up });
         alone.and_then(|trial| attempt(SandboxChoice { namespaces: true, ..up }).map(|_| trial.past_namespaces()))
-    } else {
-        skipped()
-    };
-    up.namespaces = barrier(NAMESPACES, choice.namespaces, tried);
+    });
     let missing = base.unwrap_or_else(Some);
     said.push(Barrier { name: "nothing stays".to_owned(), missing });
     (up, said)
