@@ -167,7 +167,7 @@ impl RandomCases {
         let with_called = || self.suites.iter().zip(&self.called);
         let functions: BTreeSet<&String> =
             with_called().filter(|(suite, _)| decides(suite, tests)).flat_map(|(_, called)| called).collect();
-        let needed = with_needs(lab, tests.clone());
+        let needed = lab.manifest.with_needs(tests.clone());
         let is_wanted = |suite: &Suite, called: &BTreeSet<String>| {
             decides(suite, &needed) || called.iter().any(|name| functions.contains(name))
         };
@@ -403,19 +403,8 @@ fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
 /// The suites that decide the test that is wanted, and those that it needs; all if none is wanted.
 fn wanted(suites: Vec<Suite>, lab: &Lab, plan: &Plan) -> Vec<Suite> {
     let Some(only) = &plan.only else { return suites };
-    let names = with_needs(lab, [only.as_str()].into());
+    let names = lab.manifest.with_needs([only.as_str()].into());
     suites.into_iter().filter(|suite| suite.tests.iter().any(|test| names.contains(test))).collect()
-}
-
-/// Tests, and all that they need.
-fn with_needs<'a>(lab: &'a Lab, mut tests: BTreeSet<&'a str>) -> BTreeSet<&'a str> {
-    // Tests need earlier ones only, so one way back through the list finds all.
-    for test in lab.manifest.tests.iter().rev() {
-        if tests.contains(test.name.as_str()) {
-            tests.extend(test.needs.iter().map(String::as_str));
-        }
-    }
-    tests
 }
 
 impl Run<'_> {

@@ -255,13 +255,7 @@ impl Needs {
         suite: &[&str],
         verdict: impl Fn(&str) -> Option<Verdict>,
     ) -> Self {
-        let mut all: BTreeSet<&str> = test.needs.iter().map(String::as_str).collect();
-        // Tests need earlier ones only, so one way back through the list finds all.
-        for test in manifest.tests.iter().rev() {
-            if all.contains(test.name.as_str()) {
-                all.extend(test.needs.iter().map(String::as_str));
-            }
-        }
+        let all = manifest.with_needs(test.needs.iter().map(String::as_str).collect());
         let (here, elsewhere): (BTreeSet<&str>, BTreeSet<&str>) =
             all.into_iter().partition(|name| suite.contains(name));
         let here = here.into_iter().map(str::to_owned).collect();

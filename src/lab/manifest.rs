@@ -12,6 +12,7 @@
 use super::toml_file::{ManifestError, TomlFile};
 use super::{Limits, Points, Visibility};
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use toml::Spanned;
 
 /// What a lab's manifest says.
@@ -97,6 +98,17 @@ impl Manifest {
     #[must_use]
     pub fn task(&self, number: u32) -> Option<&Task> {
         self.tasks.iter().find(|task| task.number == number)
+    }
+
+    /// Tests, and all that they need.
+    pub(super) fn with_needs<'a>(&'a self, mut tests: BTreeSet<&'a str>) -> BTreeSet<&'a str> {
+        // Tests need earlier ones only, so one way back through the list finds all.
+        for test in self.tests.iter().rev() {
+            if tests.contains(test.name.as_str()) {
+                tests.extend(test.needs.iter().map(String::as_str));
+            }
+        }
+        tests
     }
 
     /// The points that can be earned.

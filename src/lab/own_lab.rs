@@ -13,7 +13,7 @@
 
 use super::files::LabFiles;
 use super::markers::starter;
-use super::student::{Kit, quoted};
+use super::student::Kit;
 use std::collections::BTreeMap;
 
 /// The files of the template that are written for it.
@@ -64,15 +64,10 @@ pub fn new_lab(name: &str, kit: &Kit) -> Result<BTreeMap<String, String>, NewLab
     if !is_number || !is_word(words) || words.ends_with('-') {
         return Err(NewLabError::Name(name.to_owned()));
     }
-    let place = |package: &str| -> Result<String, NewLabError> {
-        match kit {
-            Kit::Inside => Err(NewLabError::NoKit),
-            Kit::Path(path) => Ok(format!("path = {}", quoted(&path.join(package).to_string_lossy()))),
-            Kit::Git(url) => Ok(format!("git = {}", quoted(url))),
-            Kit::Version(version) => Ok(format!("version = {}", quoted(version))),
-        }
-    };
-    let (lab, program) = (place("src/lab")?, place("src/cli")?);
+    if *kit == Kit::Inside {
+        return Err(NewLabError::NoKit);
+    }
+    let (lab, program) = (kit.toml("", "src/lab"), kit.toml("", "src/cli"));
     let filled = |text: &str| {
         let text = text.replace("@NAME@", name).replace("@NUMBER@", number);
         text.replace("@KIT:src/lab@", &lab).replace("@KIT:src/cli@", &program)

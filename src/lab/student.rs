@@ -45,11 +45,11 @@ pub enum Kit {
 }
 
 impl Kit {
-    /// How a manifest names the engine, `up` from the student's folder.
-    fn toml(&self, up: &str) -> String {
+    /// How a manifest names a package of the kit, `up` from the student's folder.
+    pub(super) fn toml(&self, up: &str, package: &str) -> String {
         match self {
-            Self::Inside => format!("path = \"{up}{INSIDE}/{PACKAGE}\""),
-            Self::Path(path) => format!("path = {}", quoted(&path.join(PACKAGE).to_string_lossy())),
+            Self::Inside => format!("path = \"{up}{INSIDE}/{package}\""),
+            Self::Path(path) => format!("path = {}", quoted(&path.join(package).to_string_lossy())),
             Self::Git(url) => format!("git = {}", quoted(url)),
             Self::Version(version) => format!("version = {}", quoted(version)),
         }
@@ -108,7 +108,7 @@ fn of_other_lab(path: &str, lab: &str) -> bool {
 fn manifest(text: &str, kit: &Kit) -> String {
     // A lab of an instructor is a workspace with a program that no student gets.
     let text = text.split("\n[workspace]").next().unwrap_or_default().trim_end();
-    let mut out = text.replace(IN_THE_REPOSITORY, &kit.toml("")) + "\n";
+    let mut out = text.replace(IN_THE_REPOSITORY, &kit.toml("", PACKAGE)) + "\n";
     out.push_str(
         "\n# Nobody debugs into what the tests use; without the means to do so it is compiled sooner.\n\
          [profile.dev.package.\"*\"]\ndebug = false\n\n\
@@ -122,7 +122,7 @@ fn manifest(text: &str, kit: &Kit) -> String {
 /// The manifest of an own lab's judge, with the kit from somewhere.
 fn judge_manifest(text: &str, kit: &Kit) -> String {
     let place = |line: &str| match line.starts_with("dcel-lab = ") {
-        true => format!("dcel-lab = {{ {}, default-features = false }}\n", kit.toml("../")),
+        true => format!("dcel-lab = {{ {}, default-features = false }}\n", kit.toml("../", PACKAGE)),
         false => format!("{line}\n"),
     };
     text.lines().map(place).collect()
@@ -138,7 +138,7 @@ fn lock(manifest: &str) -> String {
 }
 
 /// A TOML string: the escapes of JSON mean the same there.
-pub(super) fn quoted(text: &str) -> String {
+fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
@@ -153,7 +153,7 @@ mod tests {
             ("git=https://x.test/a=b", "git = \"https://x.test/a=b\""),
             ("version=0.1", "version = \"0.1\""),
         ] {
-            assert_eq!(text.parse::<Kit>().unwrap().toml(""), toml);
+            assert_eq!(text.parse::<Kit>().unwrap().toml("", PACKAGE), toml);
         }
         for wrong in ["", "path", "path=", "dir=x"] {
             assert!(wrong.parse::<Kit>().is_err(), "{wrong}");

@@ -18,6 +18,7 @@
 mod tokens;
 
 use crate::LabFiles;
+use crate::cache::hash_of;
 use std::collections::{BTreeSet, HashMap};
 use tokens::{names, tokens};
 
@@ -81,7 +82,7 @@ impl Given {
 
 /// The smallest number of each `W` stretches in a row; all of them if there are fewer.
 fn winnowed(tokens: &[u64]) -> Vec<u64> {
-    let stretches: Vec<u64> = tokens.windows(K).map(|stretch| tokens::number(&stretch)).collect();
+    let stretches: Vec<u64> = tokens.windows(K).map(|stretch| hash_of(&stretch)).collect();
     let mut kept: Vec<u64> = Vec::new();
     let mut last = None;
     for start in 0..(stretches.len() + 1).saturating_sub(W).max(usize::from(!stretches.is_empty())) {

@@ -8,9 +8,9 @@
 //! field or function of somebody else, unless the file declares a function of that name that is not given. Types are
 //! told by their first letter: those that are given and the usual ones of Rust stay.
 
+use crate::cache::hash_of;
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::collections::BTreeSet;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::str::FromStr;
 
 const KEYWORDS: &[&str] = &[
@@ -18,13 +18,6 @@ const KEYWORDS: &[&str] = &[
     "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self",
     "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where", "while",
 ];
-
-/// A number for anything.
-pub(super) fn number(what: &impl Hash) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    what.hash(&mut hasher);
-    hasher.finish()
-}
 
 /// Types and variants that everybody uses.
 const USUAL: &[&str] = &["Vec", "Option", "Some", "None", "Result", "Ok", "Err", "String", "Box", "HashMap", "HashSet"];
@@ -71,10 +64,10 @@ pub(super) fn tokens(text: &str, given: &BTreeSet<String>) -> Option<Vec<u64>> {
             || (is_type(name) && (given.contains(name) || USUAL.contains(&name)))
     };
     let told = |token: &Token| match token {
-        Token::Name { text, called, declared } if stays(text, *called, *declared) => number(&("name", text)),
-        Token::Name { .. } => number(&"own name"),
-        Token::Mark(mark) => number(mark),
-        Token::Literal => number(&"literal"),
+        Token::Name { text, called, declared } if stays(text, *called, *declared) => hash_of(&("name", text)),
+        Token::Name { .. } => hash_of(&"own name"),
+        Token::Mark(mark) => hash_of(mark),
+        Token::Literal => hash_of(&"literal"),
     };
     Some(tokens.iter().map(told).collect())
 }

@@ -123,7 +123,11 @@ pub(super) fn random(random: &mut Random, count: usize, size: usize) -> Vec<Poin
 
 /// A convex polygon round random points, which begins at any one of its corners.
 pub(super) fn random_polygon(from: &mut Random, count: usize, size: usize) -> Vec<Point> {
-    let mut corners = hull(&random(from, count, size));
+    turned_hull(&random(from, count, size), from)
+}
+
+fn turned_hull(points: &[Point], from: &mut Random) -> Vec<Point> {
+    let mut corners = hull(points);
     let first = from.below(corners.len());
     corners.rotate_left(first);
     corners
@@ -140,14 +144,7 @@ pub(super) fn random_pair(from: &mut Random, count: usize, size: usize) -> Vec<V
     }
     let middle = 1 + from.below(all.len() - 1);
     let (left, right) = all.split_at(middle);
-    [left, right]
-        .map(|part| {
-            let mut corners = hull(part);
-            let first = from.below(corners.len());
-            corners.rotate_left(first);
-            corners
-        })
-        .into()
+    [left, right].map(|part| turned_hull(part, from)).into()
 }
 
 /// Convex polygons with a point from which tangents are asked.
