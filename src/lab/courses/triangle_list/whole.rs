@@ -7,7 +7,7 @@ use crate::checks::walks::half_edges;
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step, Value, grouped};
 use dcel_kit::topology::{Table, View};
-use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 
 /// How many cells the large list has in a row: 224 times 224, each of two triangles.
@@ -72,29 +72,22 @@ fn compare(test: &'static str, before: &Table, soup: &Soup, after: &Table, fault
         faults.field(test, "from_faces.prev", (h, "prev"), [after.prev(h), Some(of[&right.prev])]);
         faults.field(test, "from_faces.face", (h, "face"), [after.face(h), Some(FaceId::new(right.face))]);
     }
+    let mut knows = |element: Element, rule: &str, known: Option<HalfEdgeId>, right: bool, what: &str| {
+        if !right {
+            faults.wrong(test, rule, &format!("{element} knows {}, {what}", named(known)), &[element]);
+        }
+    };
     for f in (0..after.faces.len() as u32).map(FaceId::new) {
         let known = after.half_edge(f);
         let has = of.iter().any(|(ends, _)| right[ends].face == f.number());
-        if known.and_then(|h| after.face(h)) != has.then_some(f) {
-            faults.wrong(
-                test,
-                "from_faces.boundary",
-                &format!("{f} knows {}, no half-edge of its own", named(known)),
-                &[f.into()],
-            );
-        }
+        let is_right = known.and_then(|h| after.face(h)) == has.then_some(f);
+        knows(f.into(), "from_faces.boundary", known, is_right, "no half-edge of its own");
     }
     for v in (0..after.vertices.len() as u32).map(VertexId::new) {
         let known = after.outgoing(v);
         let has = of.keys().any(|ends| ends[0] == v.number());
-        if known.and_then(|h| after.origin(h)) != has.then_some(v) {
-            faults.wrong(
-                test,
-                "from_faces.outgoing",
-                &format!("{v} knows {}, which does not start there", named(known)),
-                &[v.into()],
-            );
-        }
+        let is_right = known.and_then(|h| after.origin(h)) == has.then_some(v);
+        knows(v.into(), "from_faces.outgoing", known, is_right, "which does not start there");
     }
 }
 
@@ -110,14 +103,16 @@ pub(super) fn large(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
     let all = exchanges(case, answer);
     let Some(first) = all.first() else { return Vec::new() };
     let mut faults = Faults::of(first);
+    let too_many = |reads: u64, so_far: &str| {
+        let [reads, half_edges] = [reads, half_edges].map(grouped);
+        format!(
+            "looks at everything: {reads} reads{so_far} for {half_edges} half-edges, where a dozen for each would do"
+        )
+    };
     if let Some((_, CallEnd::Stopped(stopped))) = first.called
         && stopped.pattern != Pattern::Circle
     {
-        let words = format!(
-            "looks at everything: {} reads and not done, for {} half-edges, where a dozen for each would do",
-            grouped(stopped.reads),
-            grouped(half_edges)
-        );
+        let words = too_many(stopped.reads, " and not done,");
         faults.add(test, FaultKind::TooSlow { place: stopped.place.clone() }, "reads", &words, &[]);
         return faults.all();
     }
@@ -127,11 +122,7 @@ pub(super) fn large(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
     if let Some(Reply::Reads(reads)) = answer.replies.get(1)
         && *reads > READS * half_edges
     {
-        let words = format!(
-            "looks at everything: {} reads for {} half-edges, where a dozen for each would do",
-            grouped(*reads),
-            grouped(half_edges)
-        );
+        let words = too_many(*reads, "");
         faults.add(test, FaultKind::TooSlow { place: None }, "reads", &words, &[]);
     }
     let Some((_, end)) = all.get(1).and_then(|exchange| exchange.called) else { return faults.all() };
