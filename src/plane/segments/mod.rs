@@ -108,7 +108,8 @@ pub struct ArrangeOptions {
     /// rounded to a grid of about 2^-52 of their greatest coordinate: every point goes to the grid point next to it,
     /// and every segment through the middles of the grid squares in which an end or a crossing lies and that it passes
     /// (snap rounding). That always ends, after one pass, with no crossing left. Points that lie on the grid stay, and so
-    /// do all parts of the input that have settled. [`Arranged`] says what moved, and how far.
+    /// do the parts of the input that have settled; only where what was rounded meets them time and again is all of it
+    /// rounded. [`Arranged`] says what moved, and how far.
     pub split: bool,
     /// When splitting, round everything to the multiples of this number, or rather of the largest power of two that is
     /// not above it; `None`: only what needs it, and as finely as possible.
