@@ -21,7 +21,6 @@ use crate::geometry::both::of_both;
 use crate::geometry::grouping::Groups;
 use crate::geometry::point::corners;
 use crate::geometry::predicates::{left_to_right, orientation};
-use std::cmp::Ordering;
 
 /// So many edges above and below points are looked at for each edge; a sweep is quicker than more of them.
 const MOST: usize = 4;
@@ -32,7 +31,7 @@ pub(super) const FEW: usize = 64;
 /// So many edges for each cell of the grid.
 const SOME: usize = 3;
 
-/// For each point asked for, the edge directly below it, else [`NOTHING`]; for all other points some answer. The edges meet at
+/// For each point asked for, each once, the edge directly below it, else [`NOTHING`]; for all other points some answer. The edges meet at
 /// common ends only; `by_place` holds all points from left to right, if their order is known.
 ///
 /// Cost: O(n) for n edges, where they are about as long as they are apart, or where few of them pass above or below points
@@ -51,24 +50,18 @@ pub(super) fn edges_below(
     if asked.is_empty() {
         return vec![NOTHING; points.len()];
     }
-    if asked.len() > FEW
-        && by_place.is_none()
-        && let Some(below) = by_cells(points, edges, &asked)
-    {
-        return below;
-    }
-    asked.sort_unstable_by(compare);
-    asked.dedup();
-    by_counts(points, edges, by_place, &asked)
-        .or_else(|| by_place.and_then(|_| by_cells(points, edges, &asked)))
-        .unwrap_or_else(|| match by_place {
-            Some(by_place) => sweep_in_order(points, edges, by_place, false, |_| ()).below,
-            None => sweep(points, edges, &asked, false).below,
-        })
+    // Where the order is known, or few points are asked for, they are counted up to each other point at little cost.
+    let by_counts =
+        if by_place.is_some() || asked.len() <= FEW { by_counts(points, edges, by_place, &mut asked) } else { None };
+    by_counts.or_else(|| by_cells(points, edges, &asked)).unwrap_or_else(|| match by_place {
+        Some(by_place) => sweep_in_order(points, edges, by_place, false, |_| ()).below,
+        None => sweep(points, edges, &asked, false).below,
+    })
 }
 
-/// The same for points from left to right; nothing if edges pass above or below them too often.
-fn by_counts(points: &[Point], edges: &[[u32; 2]], by_place: Option<&[u32]>, asked: &[u32]) -> Option<Vec<u32>> {
+/// The same, for which it puts the points asked for in order; nothing if edges pass above or below them too often.
+fn by_counts(points: &[Point], edges: &[[u32; 2]], by_place: Option<&[u32]>, asked: &mut [u32]) -> Option<Vec<u32>> {
+    asked.sort_unstable_by(|&p, &q| left_to_right(points[p as usize], points[q as usize]));
     // By point, how many of those asked for come up to it.
     let count = match by_place {
         Some(by_place) => {
@@ -138,7 +131,7 @@ fn by_cells(points: &[Point], edges: &[[u32; 2]], asked: &[u32]) -> Option<Vec<u
     }
     for &p in asked {
         let place = cells.place(offset(p));
-        let [column, row] = [0, 1].map(|i: usize| (place[i] as usize).min(cells.count[i] - 1));
+        let [column, row] = of_both([0, 1], |i: usize| (place[i] as usize).min(cells.count[i] - 1));
         let mut cell = row * columns + column;
         loop {
             let list = lists.of(cell);
@@ -180,8 +173,8 @@ impl<'a> Below<'a> {
     #[inline]
     fn may_be(&mut self, edge: u32, point: u32) {
         let ([a, b], p) = (self.ends(edge), self.points[point as usize]);
-        let passes = p.x >= a.x && p.x <= b.x && left_to_right(a, p).is_lt() && left_to_right(p, b).is_le();
-        if !passes || orientation(a, b, p) != Ordering::Greater {
+        let passes = left_to_right(a, p).is_lt() && left_to_right(p, b).is_le();
+        if !passes || !orientation(a, b, p).is_gt() {
             return;
         }
         let best = self.of[point as usize];
@@ -240,5 +233,27 @@ mod tests {
             assert!(found > 1_000 && swept > 20 && swept < 380, "{found} {swept}");
         }
         assert!(in_cells[0] > 1_000 && in_cells[1] > 100, "{in_cells:?}");
+    }
+
+    /// Long edges side by side are all in the same few cells, and each of them passes all points: that is left to a sweep.
+    #[test]
+    fn points_between_long_edges_have_the_next_one_below() {
+        for count in [40_u32, 90] {
+            let mut points: Vec<Point> =
+                (0..=count).flat_map(|i| [0.0, 100.0].map(|x| Point::new(x, x + f64::from(i)))).collect();
+            let edges: Vec<[u32; 2]> = (0..=count).map(|i| [2 * i + i % 2, 2 * i + 1 - i % 2]).collect();
+            let first = points.len() as u32;
+            let xs = (0..count).map(|i| f64::from(1 + i * 37 % 99));
+            points.extend((0..count).zip(xs).map(|(i, x)| Point::new(x, x + f64::from(i) + 0.5)));
+            let asked: Vec<u32> = (first..points.len() as u32).collect();
+            assert!(by_cells(&points, &edges, &asked).is_none() && asked.len() > 32);
+            let mut by_place: Vec<u32> = (0..points.len() as u32).collect();
+            by_place.sort_by(|&p, &q| left_to_right(points[p as usize], points[q as usize]));
+            for known in [None, Some(&by_place[..])] {
+                assert!(by_counts(&points, &edges, known, &mut asked.clone()).is_none());
+                let below = edges_below(&points, &edges, known, asked.iter().copied());
+                assert_eq!(below[first as usize..], (0..count).collect::<Vec<_>>()[..]);
+            }
+        }
     }
 }

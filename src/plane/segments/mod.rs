@@ -7,9 +7,10 @@
 //!                                                                                             or split (split.rs)
 //! ```
 //!
-//! What is to be split is first looked for without a sweep: `crossed.rs`, and after the cuts `settled.rs`. Where faces have
-//! few sides on the average, no sweep is needed either to see that nothing meets: `settled.rs` makes the subdivision, and
-//! `proof.rs` of the plane looks at it.
+//! What is to be split is first looked for without a sweep: `crossed.rs`, and after the cuts `settled.rs`. Where all is far
+//! apart beside the rounding, nothing has to be compared again (`gap.rs` of `meet`). Where faces have few sides on the average,
+//! no sweep is needed either to see that nothing meets: `settled.rs` makes the subdivision, and `proof.rs` of the plane looks
+//! at it.
 //!
 //! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
 //!

@@ -1,4 +1,5 @@
-//! A look at a graph without a sweep: where only some edges are new, or none, and where faces have few sides.
+//! A look at a graph without a sweep: where only some edges are new, or none, where all is far apart beside the rounding, and
+//! where faces have few sides.
 //!
 //! ```text
 //!      ╲   ╱        edges that end at a crossing have moved by its rounding: they are compared with all that
