@@ -57,9 +57,13 @@ pub fn check_coordinate(axis: char, value: f64) -> Result<(), CoordinateError> {
 /// The lower left and the upper right corner of the box round some points; of none, a box that holds nothing.
 pub(crate) fn corners(points: impl IntoIterator<Item = Point>) -> [Point; 2] {
     let nothing = [f64::INFINITY, f64::NEG_INFINITY].map(|x| Point::new(x, x));
-    points.into_iter().fold(nothing, |[low, high], p| {
-        [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
-    })
+    points.into_iter().fold(nothing, around)
+}
+
+/// The corners of the box round another box and a point.
+#[inline]
+pub(crate) fn around([low, high]: [Point; 2], p: Point) -> [Point; 2] {
+    [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
 }
 
 impl Point {

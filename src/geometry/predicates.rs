@@ -19,8 +19,7 @@ fn coord(p: Point) -> Coord<f64> {
 #[must_use]
 #[inline]
 pub fn orientation(a: Point, b: Point, c: Point) -> Ordering {
-    let [one, other] = [(a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x)];
-    let (difference, doubt) = (one - other, ROUNDING * (one.abs() + other.abs()));
+    let (difference, doubt) = doubtful_area(a, b, c);
     if difference > doubt {
         Ordering::Greater
     } else if difference < -doubt {
@@ -28,6 +27,13 @@ pub fn orientation(a: Point, b: Point, c: Point) -> Ordering {
     } else {
         sign(robust::orient2d(coord(a), coord(b), coord(c)))
     }
+}
+
+/// Twice the signed area of a triangle in doubles, and by how much it may be wrong.
+#[inline]
+pub(crate) fn doubtful_area(a: Point, b: Point, c: Point) -> (f64, f64) {
+    let [one, other] = [(a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x)];
+    (one - other, ROUNDING * (one.abs() + other.abs()))
 }
 
 /// How much of the sum of two products of differences rounding may change their difference: (3 + 16 e) e, e = 2^-53.

@@ -49,6 +49,8 @@ const FEW: usize = 10;
 /// So many edges for each cell of a grid, and where large cells come first.
 const SOME: usize = 3;
 const MANY: usize = 64;
+/// So many items at once, at least.
+const AT_ONCE: usize = 128;
 /// Steps for each edge and each meeting pair, after which the work breaks off.
 const STEPS: usize = 32;
 /// So often a cell that has nearly all edges of a grid is divided again.
@@ -75,8 +77,7 @@ pub(in crate::plane) fn meetings(
     // Edges of one set may be near each other.
     let is_apart = sets.is_empty();
     let found = Meetings::default();
-    let mut search =
-        Search { points, edges, loose, sets, low, finest, gap, is_apart, near: Vec::new(), found, steps: 0 };
+    let mut search = Search { points, edges, loose, sets, low, finest, gap, is_apart, found, steps: 0 };
     let items: Vec<u32> = (0..(edges.len() + loose.len()) as u32).collect();
     // Where sets are known, large cells come first: most of them have the edges of one set only, and are done.
     let sides = search.sides(&items, &whole, if sets.is_empty() { SOME } else { MANY });
@@ -127,8 +128,6 @@ struct Search<'a> {
     gap: Gap,
     /// Whether all that has no point in common was farther apart than the gap.
     is_apart: bool,
-    /// The items of the cell that is looked at.
-    near: Vec<Near>,
     found: Meetings,
     steps: usize,
 }
@@ -173,7 +172,7 @@ impl Search<'_> {
         tell: impl Fn(usize),
     ) -> Result<(), NoMeetings> {
         if sides[0] * sides[1] < 2 {
-            self.pairs(items)
+            self.pairs(&items.iter().map(|&item| self.near(item)).collect::<Vec<_>>())
         } else {
             self.divide(items, &Cells::new(frame, sides), patience, &tell)
         }
@@ -226,13 +225,24 @@ impl Search<'_> {
             }
         }
         drop((runs, sets));
+        // The items of some cells are looked up at once, before anything is decided: memory answers many questions in the
+        // time of one.
+        let mut near: Vec<Near> = Vec::new();
+        let mut known = 0;
         for cell in 0..starts.len() - 1 {
             tell(cell);
-            let list = &lists[starts[cell] as usize..starts[cell + 1] as usize];
+            let [start, end] = [starts[cell] as usize, starts[cell + 1] as usize];
+            let list = &lists[start..end];
             let is_nearly_all = 4 * list.len() > 3 * items.len();
             let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
             if list.len() <= FEW || patience == 0 {
-                self.pairs(list)?;
+                if end > known {
+                    known = end.max((start + AT_ONCE).min(lists.len()));
+                    near.clear();
+                    near.extend(lists[start..known].iter().map(|&item| self.near(item)));
+                }
+                let from = near.len() - (known - start);
+                self.pairs(&near[from..from + list.len()])?;
                 continue;
             }
             let inner = cells.frame(cell % cells.count[0], cell / cells.count[0]);
@@ -243,14 +253,10 @@ impl Search<'_> {
     }
 
     /// Compares items pair by pair.
-    fn pairs(&mut self, list: &[u32]) -> Result<(), NoMeetings> {
+    fn pairs(&mut self, near: &[Near]) -> Result<(), NoMeetings> {
         let width = self.gap.width();
-        // Looked up once, before anything is decided: memory is slower than the comparisons.
-        let mut near = std::mem::take(&mut self.near);
-        near.clear();
-        near.extend(list.iter().map(|&item| self.near(item)));
         for (i, one) in near.iter().enumerate() {
-            self.spend(list.len() - i)?;
+            self.spend(near.len() - i)?;
             let line = self.gap.line(one.at);
             let [low, high] = one.bounds;
             let [low, high] = [[low[0] - width, low[1] - width], [high[0] + width, high[1] + width]];
@@ -276,7 +282,6 @@ impl Search<'_> {
                 }
             }
         }
-        self.near = near;
         Ok(())
     }
 

@@ -7,10 +7,10 @@
 //! ```
 
 use super::graph::Graph;
-use super::trace::OneRings;
+use super::one_rings::OneRings;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::grouped;
-use crate::geometry::predicates::{left_to_right, orientation};
+use crate::geometry::predicates::{doubtful_area, orientation};
 use crate::plane::Point;
 use crate::topology::TooMany;
 use std::cmp::Ordering;
@@ -34,64 +34,91 @@ pub(super) fn one_rings_where(
     let ends = edges.as_flattened();
     let (starts, mut list) = grouped(points.len(), ends.len(), |h| ends[h] as usize);
     let to = |h: u32| points[ends[(h ^ 1) as usize] as usize];
-    for (v, range) in (0..).zip(starts.windows(2)) {
-        let ring = &mut list[range[0] as usize..range[1] as usize];
-        let at = points[v as usize];
-        let order = |&(g, p): &End, &(h, q): &End| from_below(at, p, q).then(g.cmp(&h));
-        let are_good = |pair: [Point; 2]| are_good(at, pair);
-        match ring.len() {
-            0 | 1 => {}
-            2 => are_all_good &= sorted_few::<2>(ring, to, order, are_good),
-            3 => are_all_good &= sorted_few::<3>(ring, to, order, are_good),
-            4 => are_all_good &= sorted_few::<4>(ring, to, order, are_good),
-            _ => {
-                sort_by(ring, &|g, h| order(&(g, to(g)), &(h, to(h))));
-                let pairs = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
-                are_all_good &= pairs.map(|pair| of_both(pair, to)).all(are_good);
+    // Where the half-edges of some vertices end is looked up at once: memory answers many questions in the time of one.
+    let mut far: Vec<Point> = Vec::new();
+    for first in (0..points.len()).step_by(AT_ONCE) {
+        let starts = &starts[first..=points.len().min(first + AT_ONCE)];
+        let mut rest = &mut list[starts[0] as usize..starts[starts.len() - 1] as usize];
+        far.clear();
+        far.extend(rest.iter().map(|&h| to(h)));
+        let mut far = &far[..];
+        for (v, range) in (first..).zip(starts.windows(2)) {
+            let ring;
+            let there;
+            (ring, rest) = rest.split_at_mut((range[1] - range[0]) as usize);
+            (there, far) = far.split_at(ring.len());
+            let at = points[v];
+            let are_good = |pair: [Point; 2]| are_good(at, pair);
+            match ring.len() {
+                0 => continue,
+                1 => {}
+                2 => are_all_good &= sorted_few::<2>(at, ring, there, are_good),
+                3 => are_all_good &= sorted_few::<3>(at, ring, there, are_good),
+                4 => are_all_good &= sorted_few::<4>(at, ring, there, are_good),
+                _ => {
+                    sort_by(ring, &|g, h| from_below(at, to(g), to(h)).then(g.cmp(&h)));
+                    let pairs = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
+                    are_all_good &= pairs.map(|pair| of_both(pair, to)).all(are_good);
+                }
             }
+            let to_the_right = there.iter().filter(|&&p| !is_left(at, p)).count();
+            one_rings.link_all(v as u32, ring.iter().copied(), to_the_right);
         }
-        one_rings.link_all(v, ring.iter().copied());
     }
     Ok((one_rings, are_all_good))
 }
 
-/// A half-edge and where it ends.
-type End = (u32, Point);
+/// So many vertices or pairs at once.
+pub(super) const AT_ONCE: usize = 64;
 
 /// Sorts by comparisons that take much longer than the sort.
 pub(super) fn sort_by(list: &mut [u32], compare: &dyn Fn(u32, u32) -> Ordering) {
     list.sort_unstable_by(|&a, &b| compare(a, b));
 }
 
-/// What most rings of a diagram are: a few half-edges with their ends, looked up once, sorted without the steps that a sort
-/// takes to find out how many they are. Returns whether all pairs that follow each other are good.
+/// What most rings of a diagram are: a few half-edges, in increasing order, with their ends. Each counts those before it, without
+/// a branch: the processor would guess half of the comparisons wrong. Returns whether all pairs that follow each other are good.
 #[inline]
 fn sorted_few<const N: usize>(
+    at: Point,
     ring: &mut [u32],
-    to: impl Fn(u32) -> Point,
-    order: impl Fn(&End, &End) -> Ordering,
+    ends: &[Point],
     are_good: impl Fn([Point; 2]) -> bool,
 ) -> bool {
-    let mut ends = [(0, Point::new(0.0, 0.0)); N];
-    ends.iter_mut().zip(&*ring).for_each(|(end, &h)| *end = (h, to(h)));
-    for i in 1..N {
-        for j in (0..i).rev() {
-            if order(&ends[j], &ends[j + 1]).is_le() {
-                break;
-            }
-            ends.swap(j, j + 1);
+    let mut given = [(0, at, false); N];
+    for (given, (&h, &p)) in given.iter_mut().zip(ring.iter().zip(ends)) {
+        *given = (h, p, is_left(at, p));
+    }
+    let mut before = [0; N];
+    for (i, &(_, p, is_p_left)) in given.iter().enumerate() {
+        for (j, &(_, q, is_q_left)) in given.iter().enumerate().take(i) {
+            let (area, doubt) = doubtful_area(at, p, q);
+            let is_same_side = is_p_left == is_q_left;
+            let is_p_first = if is_same_side & (area.abs() <= doubt) {
+                orientation(at, p, q).is_gt()
+            } else {
+                (is_same_side & (area > 0.0)) | (!is_p_left & is_q_left)
+            };
+            before[i] += usize::from(!is_p_first);
+            before[j] += usize::from(is_p_first);
         }
     }
-    let mut are_all_good = true;
-    for (i, half_edge) in ring.iter_mut().enumerate() {
-        *half_edge = ends[i].0;
-        are_all_good &= are_good([ends[i].1, ends[(i + 1) % N].1]);
+    let mut round = [at; N];
+    for (&(h, p, _), place) in given.iter().zip(before) {
+        ring[place] = h;
+        round[place] = p;
     }
-    are_all_good
+    let pairs = (0..N).map(|i| [round[i], round[(i + 1) % N]]);
+    pairs.fold(true, |all, pair| all & are_good(pair))
+}
+
+/// Whether a place is to the left of a point, or straight down from it.
+#[inline]
+fn is_left(of: Point, p: Point) -> bool {
+    (p.x < of.x) | ((p.x <= of.x) & (p.y < of.y))
 }
 
 /// Which of two places comes first round a point, counter-clockwise from straight down; straight down itself is last.
 fn from_below(round: Point, a: Point, b: Point) -> Ordering {
-    let is_left = |p: Point| left_to_right(p, round).is_lt();
-    is_left(a).cmp(&is_left(b)).then_with(|| orientation(round, a, b).reverse())
+    is_left(round, a).cmp(&is_left(round, b)).then_with(|| orientation(round, a, b).reverse())
 }

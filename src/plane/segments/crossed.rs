@@ -9,7 +9,7 @@
 //!
 //! Three edges through one point would be one cut, not three: they are left to the sweep.
 
-use super::angles::sort_by;
+use super::angles::{AT_ONCE, sort_by};
 use super::graph::Graph;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::Groups;
@@ -51,7 +51,7 @@ impl Cuts {
         });
         let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
         let both = |[e, g]: [u32; 2]| [ends(e), ends(g)];
-        let placed: Vec<Placed> = crossings.iter().map(|&pair| placed_at(both(pair))).collect();
+        let placed = placed_all(&crossings, both);
         let order = from_left_to_right(&placed, |i| both(crossings[i as usize])).ok_or(NoMeetings::LeftToSweep)?;
 
         let new = order.iter().map(|&i| placed[i as usize]).map(|(p, off, _)| (p, off)).collect();
@@ -99,6 +99,19 @@ impl Cuts {
 
 /// A crossing rounded to a point, how far that is from it, and between which bounds the crossing lies to its right.
 type Placed = (Point, f64, [f64; 2]);
+
+/// The crossings of all pairs. The ends of many pairs are looked up before the first of their crossings is placed: memory answers
+/// many questions in the time of one.
+fn placed_all(pairs: &[[u32; 2]], ends: impl Fn([u32; 2]) -> [[Point; 2]; 2]) -> Vec<Placed> {
+    let mut placed = Vec::with_capacity(pairs.len());
+    let mut known = Vec::with_capacity(AT_ONCE);
+    for pairs in pairs.chunks(AT_ONCE) {
+        known.clear();
+        known.extend(pairs.iter().map(|&pair| ends(pair)));
+        placed.extend(known.iter().map(|&ends| placed_at(ends)));
+    }
+    placed
+}
 
 /// The order of crossings, as they are before rounding, from left to right. None if two of them are one point.
 fn from_left_to_right(placed: &[Placed], ends: impl Fn(u32) -> [[Point; 2]; 2]) -> Option<Vec<u32>> {

@@ -21,10 +21,12 @@
 //!   arrange.rs   The way from given segments to a subdivision, step by step
 //!   chains.rs    What became of the edges of a graph that was split
 //!   crossed.rs   The first cuts of all edges, from the pairs that meet
+//!   cycles.rs    The cycles of linked half-edges, and which of them bound a face
 //!   dangles.rs   Edges that bound nothing
 //!   disk.rs      Edges that fill a disk
 //!   error.rs     Why segments are no plane graph
 //!   holes.rs     Marking hole faces
+//!   one_rings.rs Half-edges linked one-ring by one-ring
 //!   part.rs      The subdivision of some of the edges of another
 //!   pixels.rs    The hot pixels that a segment passes
 //!   settled.rs   A look at a graph without a sweep
@@ -37,12 +39,14 @@ mod arrange;
 mod chains;
 mod collinear;
 mod crossed;
+mod cycles;
 mod dangles;
 mod disk;
 mod error;
 mod faults;
 mod graph;
 mod holes;
+mod one_rings;
 mod part;
 mod pixels;
 mod settled;

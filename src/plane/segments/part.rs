@@ -7,7 +7,8 @@
 //! ```
 
 use super::graph::{Graph, Order};
-use super::trace::{OneRings, trace_known};
+use super::one_rings::OneRings;
+use super::trace::trace_known;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::Joined;
 use crate::geometry::predicates::{left_to_right, orientation};
@@ -49,7 +50,12 @@ impl Subdivision {
             ring.clear();
             ring.extend(self.dcel.outgoing_half_edges(v).filter(|h| new_edge[h.edge().index()] != GONE));
             self.begin_straight_down(&mut ring);
-            one_rings.link_all(new, ring.iter().copied().filter_map(new_half));
+            let runs_right = |h: &&HalfEdgeId| {
+                let [p, q] = of_both([**h, h.twin()], |h| self.points[self.dcel.origin(h)]);
+                left_to_right(p, q).is_lt()
+            };
+            let to_the_right = ring.iter().filter(runs_right).count();
+            one_rings.link_all(new, ring.iter().copied().filter_map(new_half), to_the_right);
         }
 
         let mut joined = Joined::none(self.dcel.face_bound());

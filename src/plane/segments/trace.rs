@@ -3,88 +3,25 @@
 //! ```text
 //!        h4 ╲   ╱ h2        1. the sweep gives the half-edges round each vertex in their order, h0 h2 h4
 //!            ╲ ╱            2. each corner is a link: next(twin(h2)) = h0, next(twin(h4)) = h2, ...
-//!             ●── h0        3. the links close to cycles; a cycle whose corner at its leftmost vertex looks
-//!                              to the left runs round something: an inner component. All others bound a face.
+//!             ●── h0        3. the links close to cycles; one that turns clockwise runs round something: an inner
+//!                              component (cycles.rs). All others bound a face.
 //!   ──●    ● inner component           4. an inner component or an isolated vertex lies in the face above the next edge below its
 //!  ───────────── below         leftmost vertex.
 //! ```
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
 
+use super::cycles::cycles;
 use super::graph::Graph;
-use crate::geometry::point::corners;
-use crate::geometry::predicates::left_to_right;
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
+use super::one_rings::OneRings;
+use crate::geometry::point::{around, corners};
+use crate::ids::{EdgeId, FaceId, VertexId};
 use crate::plane::below::{FEW, edges_below};
 use crate::plane::marks::Marks;
 use crate::plane::rings::Loose;
-use crate::plane::sweep::{Intersection, NOTHING, OneRing, Swept, sweep_in_order};
+use crate::plane::sweep::{Intersection, NOTHING, Swept, sweep_in_order};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
-
-const NONE: u32 = Columns::NONE;
-
-/// The half-edges of a graph with their origins; the links come one-ring by one-ring.
-pub(super) struct OneRings {
-    columns: Columns,
-}
-
-impl OneRings {
-    /// No link yet.
-    ///
-    /// # Errors
-    /// [`TooMany`] if the vertices or half-edges have no ids.
-    pub(super) fn new(graph: &Graph) -> Result<Self, TooMany> {
-        let Graph { points, edges, .. } = graph;
-        if points.len() > MAX_IDS || 2 * edges.len() > MAX_IDS {
-            return Err(TooMany);
-        }
-        let origin: Vec<u32> = edges.as_flattened().to_vec();
-        let columns = Columns {
-            next: vec![NONE; origin.len()],
-            prev: vec![NONE; origin.len()],
-            face: vec![NONE; origin.len()],
-            outgoing: vec![NONE; points.len()],
-            boundary: vec![NONE],
-            origin,
-        };
-        Ok(Self { columns })
-    }
-
-    /// Links a one-ring. Counter-clockwise from straight down it begins with the half-edges to the right, upwards; then
-    /// come those to the left, downwards.
-    #[inline]
-    pub(super) fn link(&mut self, one_ring: &OneRing<'_>) {
-        self.link_all(one_ring.point, one_ring.right.iter().chain(one_ring.left.iter().rev()).copied());
-    }
-
-    /// Links the half-edges that leave a point, counter-clockwise from straight down.
-    #[inline]
-    pub(super) fn link_all(&mut self, point: u32, half_edges: impl Iterator<Item = u32>) {
-        let mut last = None;
-        for h in half_edges {
-            match last.replace(h) {
-                None => self.columns.outgoing[point as usize] = h,
-                Some(before) => self.meet(before, h),
-            }
-        }
-        if let Some(last) = last {
-            self.meet(last, self.columns.outgoing[point as usize]);
-        }
-    }
-
-    /// The half-edges with their links, but for their faces.
-    pub(super) fn into_columns(self) -> Columns {
-        self.columns
-    }
-
-    /// Of two half-edges of a one-ring the second follows the first, counter-clockwise.
-    #[inline]
-    fn meet(&mut self, g: u32, h: u32) {
-        self.columns.next[(h ^ 1) as usize] = g;
-        self.columns.prev[g as usize] = h ^ 1;
-    }
-}
 
 /// What a look at a graph has found.
 pub(super) enum Seen {
@@ -137,8 +74,7 @@ pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMan
         Seen::Made(subdivision) => return Ok(*subdivision),
     };
     let Graph { points, edges, order } = graph;
-    let mut columns = one_rings.columns;
-    let loose = cycles(&mut columns, points)?;
+    let (columns, loose) = cycles(one_rings, points)?;
     let below = below.unwrap_or_else(|| below_of(&loose, &columns, points, edges, order.if_known()));
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), std::mem::take(points).into());
     let edge_below = |v: VertexId| (below[v.index()] != NOTHING).then(|| EdgeId::new(below[v.index()]));
@@ -161,12 +97,14 @@ fn below_of(
         return edges_below(points, edges, by_place, leftmost);
     }
     let side = 2 * (loose.len() as f64).sqrt() as usize + 1;
-    let mut bounded = Marks::new(corners(points.iter().copied()), side);
-    for &start in &columns.boundary[1..] {
-        let after = |h: &u32| Some(columns.next[*h as usize]).filter(|&h| h != start);
-        let cycle = std::iter::successors(Some(start), after);
-        bounded.mark(corners(cycle.map(|h| points[columns.origin[h as usize] as usize])));
+    // Half-edge by half-edge, not cycle by cycle: no step waits for the one before.
+    let mut boxes = vec![corners([]); columns.boundary.len()];
+    for (&face, &v) in columns.face.iter().zip(&columns.origin).filter(|&(&face, _)| face != 0) {
+        let bounds = &mut boxes[face as usize];
+        *bounds = around(*bounds, points[v as usize]);
     }
+    let mut bounded = Marks::new(corners(points.iter().copied()), side);
+    boxes[1..].iter().for_each(|&bounds| bounded.mark(bounds));
     let asked = leftmost.filter(|&v| bounded.may_meet([points[v as usize]; 2]));
     // Where no face is bounded on either side, the edge below lies in the same face as the point.
     let has_bounded = |e: &u32| [0, 1].iter().any(|side| columns.face[(2 * e + side) as usize] != 0);
@@ -187,8 +125,7 @@ pub(super) fn trace_known(
     mut face_of: impl FnMut(&[u32], u32) -> FaceId,
 ) -> Result<Subdivision, TooMany> {
     let points = graph.points;
-    let mut columns = one_rings.columns;
-    let loose = cycles(&mut columns, &points)?;
+    let (columns, loose) = cycles(one_rings, &points)?;
     let known = |Loose { ring, .. }: Loose| match ring {
         InnerComponent::Cycle(h) => (ring, face_of(&columns.boundary, h.number())),
         InnerComponent::Isolated(_) => (ring, FaceId::new(0)),
@@ -205,58 +142,6 @@ pub(super) fn trace_known(
     }
     subdivision.order_inner_components(outer);
     Ok(subdivision)
-}
-
-/// Gives every half-edge its face, inner components for the time being `f0`. Returns the inner components and the isolated vertices.
-fn cycles(columns: &mut Columns, points: &[Point]) -> Result<Vec<Loose>, TooMany> {
-    let mut loose = Vec::new();
-    for start in 0..columns.face.len() as u32 {
-        if columns.face[start as usize] != NONE {
-            continue;
-        }
-        let face = columns.boundary.len() as u32;
-        // A corner behind the last half-edge of a one-ring looks down, and at a leftmost vertex therefore to the left.
-        let (mut leftmost, mut looks_left) = (columns.origin[start as usize], false);
-        let mut place = points[leftmost as usize];
-        let (mut h, mut before) = (start, columns.prev[start as usize]);
-        loop {
-            columns.face[h as usize] = face;
-            let v = columns.origin[h as usize];
-            let here = points[v as usize];
-            let order = left_to_right(here, place);
-            if order.is_le() {
-                let last = before ^ 1 == columns.outgoing[v as usize];
-                looks_left = last || (order.is_eq() && looks_left);
-                (leftmost, place) = (v, here);
-            }
-            (h, before) = (columns.next[h as usize], h);
-            if h == start {
-                break;
-            }
-        }
-        if !looks_left {
-            if columns.boundary.len() >= MAX_IDS {
-                return Err(TooMany);
-            }
-            columns.boundary.push(start);
-            continue;
-        }
-        let leftmost = VertexId::new(leftmost);
-        loose.push(Loose { ring: InnerComponent::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
-        loop {
-            columns.face[h as usize] = 0;
-            h = columns.next[h as usize];
-            if h == start {
-                break;
-            }
-        }
-    }
-    let isolated = columns.outgoing.iter().enumerate().filter(|&(_, &h)| h == NONE);
-    loose.extend(isolated.map(|(v, _)| {
-        let v = VertexId::new(v as u32);
-        Loose { ring: InnerComponent::Isolated(v), leftmost: v, owner: None }
-    }));
-    Ok(loose)
 }
 
 #[cfg(test)]
