@@ -30,7 +30,7 @@ pub fn orientation(a: Point, b: Point, c: Point) -> Ordering {
 }
 
 /// Twice the signed area of a triangle in doubles, and by how much it may be wrong.
-#[inline]
+#[inline(always)]
 pub(crate) fn doubtful_area(a: Point, b: Point, c: Point) -> (f64, f64) {
     let [one, other] = [(a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x)];
     (one - other, ROUNDING * (one.abs() + other.abs()))

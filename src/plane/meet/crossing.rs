@@ -224,6 +224,7 @@ fn quotients(ends: [[Point; 2]; 2]) -> [Option<DoubleDouble>; 2] {
 }
 
 /// Whether one pair of segments is the other one, moved. Then their crossings lie from each other as their first ends do.
+#[inline]
 pub(in crate::plane) fn is_moved(one: [[Point; 2]; 2], other: [[Point; 2]; 2]) -> bool {
     vectors(one) == vectors(other)
 }

@@ -61,8 +61,7 @@ pub(super) fn one_rings_where(
                     are_all_good &= pairs.map(|pair| of_both(pair, to)).all(are_good);
                 }
             }
-            let to_the_right = there.iter().filter(|&&p| !is_left(at, p)).count();
-            one_rings.link_all(v as u32, ring.iter().copied(), to_the_right);
+            one_rings.link_all(v as u32, ring.iter().copied());
         }
     }
     Ok((one_rings, are_all_good))

@@ -1,77 +1,65 @@
 //! From linked half-edges to faces: the cycles, and which of them are inner components.
 //!
 //! ```text
-//!    ┌─────────●     From left to right, what a cycle has on its left comes to a fork at ○, and ends at ●. With a face
-//!    │   ┌───┐ │     on its left a cycle turns once counter-clockwise: there are more ends than forks, by one. An inner
-//!    │   │   │ │     component turns the other way. At its leftmost vertex there is a fork, as nothing of it is to the
-//!    │   ○───┘ │     left of that.
+//!    ┌─────────┐     At its leftmost vertex ○ an inner component has all that is to the left of it on its left: it comes
+//!    │   ┌───┐ │     along the twin of the first half-edge, counter-clockwise from straight down, and leaves by the last
+//!    │   │   │ │     one. The cycle round a bounded face turns between two others there.
+//!    │   ○───┘ │
 //!    └─────────┘
 //! ```
-//!
-//! So no coordinate is looked at but those of the forks.
 
-use super::one_rings::{OneRings, has_no_face, turn};
-use crate::geometry::predicates::left_to_right;
+use super::one_rings::OneRings;
 use crate::ids::{HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::Point;
 use crate::plane::rings::Loose;
 use crate::topology::{Columns, InnerComponent, TooMany};
 
-/// In the place of a face: the inner components, from this number on. Faces have smaller numbers.
-const INNER: u32 = 1 << 31;
-
 /// Gives every half-edge its face, inner components for the time being `f0`. Returns the inner components and the isolated vertices.
 ///
 /// Cost: O(n).
 pub(super) fn cycles(one_rings: OneRings, points: &[Point]) -> Result<(Columns, Vec<Loose>), TooMany> {
-    let (mut columns, tips) = one_rings.into_parts();
-    let mut loose: Vec<Loose> = Vec::new();
+    let mut columns = one_rings.into_columns();
+    let mut loose = Vec::new();
     for start in 0..columns.face.len() as u32 {
-        if !has_no_face(columns.face[start as usize]) {
+        if columns.face[start as usize] != Columns::NONE {
             continue;
         }
         let face = columns.boundary.len() as u32;
-        let mut turns = 0;
-        each_of(start, &columns.next, |h| turns += turn(std::mem::replace(&mut columns.face[h as usize], face)));
-        if turns > 0 {
+        let mut leftmost = columns.origin[start as usize];
+        let mut place = points[leftmost as usize];
+        let mut h = start;
+        loop {
+            columns.face[h as usize] = face;
+            let v = columns.origin[h as usize];
+            let here = points[v as usize];
+            // Without a branch: the processor would guess many of them wrong.
+            let is_left = (here.x < place.x) | ((here.x <= place.x) & (here.y < place.y));
+            leftmost = if is_left { v } else { leftmost };
+            place = if is_left { here } else { place };
+            h = columns.next[h as usize];
+            if h == start {
+                break;
+            }
+        }
+        let first = columns.outgoing[leftmost as usize];
+        if columns.face[(first ^ 1) as usize] != face {
             if columns.boundary.len() >= MAX_IDS {
                 return Err(TooMany);
             }
             columns.boundary.push(start);
             continue;
         }
-        let inner = INNER + loose.len() as u32;
-        each_of(start, &columns.next, |h| columns.face[h as usize] = inner);
-        let leftmost = VertexId::new(columns.origin[start as usize]);
+        let leftmost = VertexId::new(leftmost);
         loose.push(Loose { ring: InnerComponent::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
-    }
-    for v in tips {
-        let fork = columns.outgoing[v as usize] ^ 1;
-        let inner = columns.face[fork as usize].wrapping_sub(INNER);
-        if let Some(Loose { leftmost, .. }) = loose.get_mut(inner as usize)
-            && left_to_right(points[v as usize], points[leftmost.index()]).is_lt()
-        {
-            *leftmost = VertexId::new(v);
+        while columns.face[h as usize] != 0 {
+            columns.face[h as usize] = 0;
+            h = columns.next[h as usize];
         }
     }
-    columns.face.iter_mut().filter(|face| **face >= INNER).for_each(|face| *face = 0);
     let isolated = columns.outgoing.iter().enumerate().filter(|&(_, &h)| h == Columns::NONE);
     loose.extend(isolated.map(|(v, _)| {
         let v = VertexId::new(v as u32);
         Loose { ring: InnerComponent::Isolated(v), leftmost: v, owner: None }
     }));
     Ok((columns, loose))
-}
-
-/// Calls with each half-edge of a cycle.
-#[inline]
-fn each_of(start: u32, next: &[u32], mut call: impl FnMut(u32)) {
-    let mut h = start;
-    loop {
-        call(h);
-        h = next[h as usize];
-        if h == start {
-            return;
-        }
-    }
 }

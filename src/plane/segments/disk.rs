@@ -10,23 +10,24 @@
 
 use super::angles::one_rings_by_angle;
 use super::graph::{Graph, Order};
-use super::one_rings::has_no_face;
 use crate::ids::{HalfEdgeId, MAX_IDS};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
+
+const NONE: u32 = Columns::NONE;
 
 impl Subdivision {
     /// See the head of the file; `outside` is a half-edge whose left side is not in the disk. All numbers are those of
     /// [`from_graph`](Self::from_graph). O(n), and O(k log k) for a vertex with k edges.
     pub(in crate::plane) fn disk(points: Vec<Point>, edges: Vec<[u32; 2]>, outside: u32) -> Result<Self, TooMany> {
         let graph = Graph { points, edges, order: Order::default() };
-        let (mut columns, _) = one_rings_by_angle(&graph)?.into_parts();
+        let mut columns = one_rings_by_angle(&graph)?.into_columns();
         let Graph { points, edges, .. } = graph;
         // Euler's formula: a connected graph has so many bounded faces.
         columns.boundary.reserve(1 + edges.len() - edges.len().min(points.len()));
         let first = give_face(&mut columns, outside, 0);
         for start in 0..columns.face.len() as u32 {
-            if has_no_face(columns.face[start as usize]) {
+            if columns.face[start as usize] == NONE {
                 let face = columns.boundary.len();
                 if face >= MAX_IDS {
                     return Err(TooMany);

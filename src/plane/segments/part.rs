@@ -50,12 +50,7 @@ impl Subdivision {
             ring.clear();
             ring.extend(self.dcel.outgoing_half_edges(v).filter(|h| new_edge[h.edge().index()] != GONE));
             self.begin_straight_down(&mut ring);
-            let runs_right = |h: &&HalfEdgeId| {
-                let [p, q] = of_both([**h, h.twin()], |h| self.points[self.dcel.origin(h)]);
-                left_to_right(p, q).is_lt()
-            };
-            let to_the_right = ring.iter().filter(runs_right).count();
-            one_rings.link_all(new, ring.iter().copied().filter_map(new_half), to_the_right);
+            one_rings.link_all(new, ring.iter().copied().filter_map(new_half));
         }
 
         let mut joined = Joined::none(self.dcel.face_bound());
