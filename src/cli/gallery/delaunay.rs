@@ -25,13 +25,12 @@ const SITES: [[f64; 2]; 14] = [
 ];
 
 /// The diagram and its dual over each other.
-pub(super) fn voronoi() -> Made<String> {
+pub(super) fn voronoi(options: &FigureOptions) -> Made<String> {
     let sites = SITES.map(Point::from);
     let delaunay = Subdivision::delaunay(&sites)?.subdivision;
     let voronoi = delaunay.voronoi()?;
     let cells = voronoi.cells(Window { low: Point::new(-1.0, -1.0), high: Point::new(14.0, 9.5) })?;
-    let options = FigureOptions::new("Voronoi diagram and Delaunay triangulation").id_prefix("voronoi").width(760.0);
-    Ok(figure::voronoi_cells(&voronoi, &cells, true, &options)?.to_svg())
+    Ok(figure::voronoi_cells(&voronoi, &cells, true, options)?.to_svg())
 }
 
 /// The circle round the triangle on the left of an edge, and the corner on the other side.
@@ -46,7 +45,7 @@ fn look(s: &Subdivision, edge: EdgeId, role: Role, words: &str) -> Sketch {
 }
 
 /// From a bad triangulation to the best, flip by flip.
-pub(super) fn lawson() -> Made<String> {
+pub(super) fn lawson(options: &FigureOptions) -> Made<String> {
     let points = [[0.0, 0.0], [4.0, -1.0], [8.0, 0.5], [9.0, 4.0], [5.0, 6.0], [1.0, 4.5]].map(Point::from).to_vec();
     let before = Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])?;
     let bad = before.non_delaunay_edges(|_| false).next();
@@ -71,6 +70,6 @@ pub(super) fn lawson() -> Made<String> {
         circles.circumcircle(Role::Right, corners).key("empty circle");
     }
     sheet.over("Delaunay", "no edge is left to flip: every circle is empty", &done, Backdrop::Dimmed, circles);
-    let options = FigureOptions::new("Delaunay by flips").id_prefix("lawson").width(408.0).detail(Detail::Edges);
+    let options = options.clone().detail(Detail::Edges);
     Ok(sheet.figure(&options)?.to_svg())
 }

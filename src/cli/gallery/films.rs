@@ -12,93 +12,93 @@ use dcel_kit::solid::{Direction, Platonic, Polyhedron, Selection};
 use dcel_kit::sources;
 use dcel_lab::cases::handouts;
 
-pub(super) fn strip(film: &SketchFilm, title: &str, prefix: &str) -> Made<String> {
-    Ok(film.strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
+pub(super) fn strip(film: &SketchFilm, options: &FigureOptions) -> Made<String> {
+    Ok(film.strip(options)?.to_svg())
 }
 
 /// One split of a face, and what a wrong next makes of it.
-pub(super) fn slip() -> Made<String> {
+pub(super) fn slip(options: &FigureOptions) -> Made<String> {
     let script = Script::parse(sources::SPLIT_FACE, "a split")?;
     let film = Film::of_script(&script).beside(&["h13.next = h8".parse()?])?;
-    Ok(film.strip(&FigureOptions::new("A split with a slip").id_prefix("slip"))?.to_svg())
+    Ok(film.strip(options)?.to_svg())
 }
 
 /// A face of the lab's subdivision, half-edge by half-edge.
-pub(super) fn face_walk() -> Made<String> {
+pub(super) fn face_walk(options: &FigureOptions) -> Made<String> {
     let film = algorithms::face_walk(&lesson::lab_subdivision()?, FaceId::new(1), 40)?;
-    strip(&film, "A walk round a face", "face-walk")
+    strip(&film, options)
 }
 
 /// The polygon of lab 02.
-pub(super) fn ears() -> Made<String> {
+pub(super) fn ears(options: &FigureOptions) -> Made<String> {
     let polygon = Subdivision::polygon(&lab_02::corners())?;
-    strip(&algorithms::ear_clipping(&polygon, 10)?, "A film of ear clipping", "ears")
+    strip(&algorithms::ear_clipping(&polygon, 10)?, options)
 }
 
 /// A polygon with corners of all kinds.
-pub(super) fn monotone() -> Made<String> {
+pub(super) fn monotone(options: &FigureOptions) -> Made<String> {
     let corners =
         [(0., 2.), (4., 0.), (9., 3.), (13., 1.), (11., 5.), (14., 8.), (8., 6.), (5., 9.), (6., 5.), (2., 7.)];
     let polygon = Subdivision::polygon(&corners.map(Point::from))?;
-    strip(&algorithms::monotone(&polygon, 40)?, "A film of triangulation by monotone pieces", "monotone")
+    strip(&algorithms::monotone(&polygon, 40)?, options)
 }
 
 /// The points of lab 03.
-pub(super) fn hull() -> Made<String> {
+pub(super) fn hull(options: &FigureOptions) -> Made<String> {
     let points = handouts::POINTS.map(Point::from);
-    strip(&algorithms::convex_hull(&points, 12)?, "A film of a convex hull", "hull")
+    strip(&algorithms::convex_hull(&points, 12)?, options)
 }
 
 /// Four segments.
-pub(super) fn sweep() -> Made<String> {
+pub(super) fn sweep(options: &FigureOptions) -> Made<String> {
     let segment = |x0, y0, x1, y1| [Point::new(x0, y0), Point::new(x1, y1)];
     let segments =
         [segment(0., 1., 12., 8.), segment(1., 6., 11., 1.), segment(3., 9., 10., 6.), segment(8., 9., 10., 0.)];
-    strip(&algorithms::segment_sweep(&segments, 40)?, "A film of the sweep over segments", "sweep")
+    strip(&algorithms::segment_sweep(&segments, 40)?, options)
 }
 
 /// A fan, until it is Delaunay.
-pub(super) fn flips() -> Made<String> {
+pub(super) fn flips(options: &FigureOptions) -> Made<String> {
     let points = [(0., 4.), (3., 0.), (8., -1.), (12., 1.), (13., 5.), (9., 8.), (4., 8.)].map(Point::from).to_vec();
     let triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6]];
     let given = Subdivision::from_triangles(points, &triangles)?;
-    strip(&algorithms::lawson_flips(&given, |_| false, 40), "A film of Lawson's flips", "flips")
+    strip(&algorithms::lawson_flips(&given, |_| false, 40), options)
 }
 
 /// The sites of lab 08.
-pub(super) fn voronoi() -> Made<String> {
+pub(super) fn voronoi(options: &FigureOptions) -> Made<String> {
     let delaunay = Subdivision::delaunay(&handouts::SITES.map(Point::from))?.subdivision;
-    strip(&algorithms::voronoi(&delaunay, 6)?, "A film of a Voronoi diagram", "voronoi-film")
+    strip(&algorithms::voronoi(&delaunay, 6)?, options)
 }
 
 /// The map of lab 06, from a corner of it.
-pub(super) fn locate() -> Made<String> {
+pub(super) fn locate(options: &FigureOptions) -> Made<String> {
     let map = lab_06::map()?;
     let start = map.vertices().next().ok_or("the map has vertices")?;
-    strip(&algorithms::location_walk(&map, start, Point::from(handouts::GOAL), 40)?, "A walk to a point", "location")
+    strip(&algorithms::location_walk(&map, start, Point::from(handouts::GOAL), 40)?, options)
 }
 
 /// The path of lab 06.
-pub(super) fn funnel() -> Made<String> {
+pub(super) fn funnel(options: &FigureOptions) -> Made<String> {
     let map = lab_06::map()?;
     let mesh = NavMesh::new(&map)?;
     let ends = [handouts::START, handouts::GOAL].map(Point::from);
     let route = Planner::new().route_between(&mesh, PathAlgorithm::Breadth, ends[0], ends[1])?;
-    strip(&algorithms::funnel(&map, &mesh, &route, 12), "A film of the funnel", "funnel")
+    strip(&algorithms::funnel(&map, &mesh, &route, 12), options)
 }
 
 /// The gem of lab 11.
-pub(super) fn climb() -> Made<String> {
+pub(super) fn climb(options: &FigureOptions) -> Made<String> {
     let points = handouts::GEM.to_vec();
     let gem = Polyhedron::convex_hull(&points, dcel_kit::solid::HullFaces::Triangles)?.solid;
     let convex = gem.check_convex()?;
     let start = gem.vertices().next().ok_or("the gem has vertices")?;
     let film = algorithms::hill_climbing(&gem, &convex, Direction::try_from(lab_11::DIRECTION)?, start, 40);
-    strip(&film, "A film of hill climbing", "climb")
+    strip(&film, options)
 }
 
 /// Eight points.
-pub(super) fn solid_hull() -> Made<String> {
+pub(super) fn solid_hull(options: &FigureOptions) -> Made<String> {
     let points = [
         [0., 0., 0.],
         [6., 0., 1.],
@@ -109,11 +109,11 @@ pub(super) fn solid_hull() -> Made<String> {
         [7., -4., 0.],
         [3., -2., 7.],
     ];
-    strip(&algorithms::convex_hull_in_space(&points, 40)?, "A film of a convex hull in space", "solid-hull")
+    strip(&algorithms::convex_hull_in_space(&points, 40)?, options)
 }
 
 /// A cube that becomes rounder.
-pub(super) fn catmull_clark() -> Made<String> {
+pub(super) fn catmull_clark(options: &FigureOptions) -> Made<String> {
     let cube = Polyhedron::platonic(Platonic::Cube);
-    strip(&algorithms::catmull_clark(&cube, &Selection::new(), 2)?, "A film of subdivision", "catmull-clark")
+    strip(&algorithms::catmull_clark(&cube, &Selection::new(), 2)?, options)
 }

@@ -5,77 +5,28 @@ use super::{Made, Reference};
 /// The page.
 pub(super) const FILE: &str = "README.md";
 
-/// The chapters, in the order in which one learns. What is measured, and cards that show what a drawing can look like, are
-/// not in it.
-const CHAPTERS: [(&str, &[&str]); 9] = [
+/// The chapters, in the order in which one learns, each with its files without `.svg`. What is measured, and cards that
+/// show what a drawing can look like, are not in it.
+const CHAPTERS: [(&str, &str); 9] = [
     (
         "The structure",
-        &[
-            "cube.svg",
-            "focus.svg",
-            "records.svg",
-            "pointers.svg",
-            "tables.svg",
-            "interactive.svg",
-            "film-face-walk.svg",
-            "lab-04-two-nexts.svg",
-            "rings.svg",
-            "inset.svg",
-            "dual.svg",
-            "states.svg",
-        ],
+        "cube focus records pointers tables interactive film-face-walk lab-04-two-nexts rings inset dual states",
     ),
     (
         "Edits, step by step",
-        &[
-            "rectangle.svg",
-            "film-split-face.svg",
-            "stepper-split-face.svg",
-            "film-split-in-half.svg",
-            "film-join-faces.svg",
-            "film-slip.svg",
-            "lab-subdivision.svg",
-            "lab-04-drawing.svg",
-            "difference.svg",
-        ],
+        "rectangle film-split-face stepper-split-face film-split-in-half film-join-faces film-slip \
+         lab-subdivision lab-04-drawing difference",
     ),
-    ("Signs", &["robustness.svg", "wrong-signs.svg", "lab-01-map.svg", "film-locate.svg", "walk.svg"]),
-    (
-        "Triangles",
-        &["film-ears.svg", "film-monotone.svg", "triangulation.svg", "lab-02-triangulation.svg", "film-sweep.svg"],
-    ),
-    ("Convex hulls", &["lab-03-ways.svg", "film-hull.svg", "lab-03-hull.svg", "film-solid-hull.svg"]),
-    ("From a list of faces", &["lab-05-matching.svg", "film-matching.svg", "lab-05-structure.svg"]),
-    ("Paths", &["lab-06-portals.svg", "film-funnel.svg", "lab-06-corridor.svg", "navmesh-ladder.svg"]),
-    (
-        "Delaunay and Voronoi",
-        &[
-            "lawson.svg",
-            "lab-07-flip.svg",
-            "film-flips.svg",
-            "lab-07-circles.svg",
-            "voronoi.svg",
-            "film-voronoi.svg",
-            "lab-08-voronoi.svg",
-        ],
-    ),
+    ("Signs", "robustness wrong-signs lab-01-map film-locate walk"),
+    ("Triangles", "film-ears film-monotone triangulation lab-02-triangulation film-sweep"),
+    ("Convex hulls", "lab-03-ways film-hull lab-03-hull film-solid-hull"),
+    ("From a list of faces", "lab-05-matching film-matching lab-05-structure"),
+    ("Paths", "lab-06-portals film-funnel lab-06-corridor navmesh-ladder"),
+    ("Delaunay and Voronoi", "lawson lab-07-flip film-flips lab-07-circles voronoi film-voronoi lab-08-voronoi"),
     (
         "Surfaces in space",
-        &[
-            "primitives.svg",
-            "film-pole.svg",
-            "lab-09-growth.svg",
-            "solid.svg",
-            "schlegel.svg",
-            "lab-10-duals.svg",
-            "lab-10-cube.svg",
-            "film-merge-faces.svg",
-            "solid-torus.svg",
-            "film-catmull-clark.svg",
-            "film-climb.svg",
-            "lab-11-climb.svg",
-            "lab-11-stuck.svg",
-        ],
+        "primitives film-pole lab-09-growth solid schlegel lab-10-duals lab-10-cube film-merge-faces solid-torus \
+         film-catmull-clark film-climb lab-11-climb lab-11-stuck",
     ),
 ];
 
@@ -90,22 +41,21 @@ pub(super) fn text(references: &[Reference]) -> Made<String> {
          picture is the command that draws the same kind of picture of a file of yours. To play with a structure, open\n\
          [the playground](playground.html).\n",
     );
-    let mut left: Vec<&str> = references.iter().map(|reference| reference.file).collect();
-    left.retain(|file| !NOT_SHOWN.contains(file));
-    for (title, files) in CHAPTERS {
+    let mut left: Vec<&Reference> = references.iter().filter(|of| !NOT_SHOWN.contains(&of.file)).collect();
+    for (title, names) in CHAPTERS {
         page.push_str(&format!("\n## {title}\n"));
-        for file in files {
-            let reference = references.iter().find(|reference| reference.file == *file);
-            let Reference { about, .. } = reference.ok_or_else(|| format!("there is no figure {file}"))?;
-            page.push_str(&format!("\n### {file}\n\n![{about}]({file})\n\n{about}\n\n```sh\n{}\n```\n", command(file)));
-            let count = left.len();
-            left.retain(|known| known != file);
-            if left.len() == count {
-                return Err(format!("{file} stands in two chapters").into());
-            }
+        for name in names.split(' ') {
+            let file = format!("{name}.svg");
+            let at = left.iter().position(|of| of.file == file);
+            let at = at.ok_or_else(|| format!("there is no figure {file}, or it stands in two chapters"))?;
+            let (about, command) = (left.remove(at).about, command(&file));
+            page.push_str(&format!("\n### {file}\n\n![{about}]({file})\n\n{about}\n\n```sh\n{command}\n```\n"));
         }
     }
-    if left.is_empty() { Ok(page) } else { Err(format!("in no chapter: {}", left.join(", ")).into()) }
+    match left[..] {
+        [] => Ok(page),
+        [Reference { file, .. }, ..] => Err(format!("in no chapter: {file}").into()),
+    }
 }
 
 /// Figures of labs that show a structure as any file is shown.

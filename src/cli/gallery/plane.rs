@@ -34,7 +34,7 @@ fn island() -> Made<Subdivision> {
 }
 
 /// Pieces, their triangles, and ears, side by side.
-pub(super) fn triangulation() -> Made<String> {
+pub(super) fn triangulation(options: &FigureOptions) -> Made<String> {
     let island = island()?;
     let mut sheet = Multiples::new();
     let mut pieces = island.clone();
@@ -49,20 +49,14 @@ pub(super) fn triangulation() -> Made<String> {
         let added = triangles.triangulate(method)?;
         sheet.over(heading, text, &island, Backdrop::Plain, figure::diagonals_of(&triangles, &added.diagonals));
     }
-    let options = FigureOptions::new("Triangulation").id_prefix("triangulation").width(408.0).detail(Detail::Edges);
+    let options = options.clone().detail(Detail::Edges);
     Ok(sheet.figure(&options)?.to_svg())
 }
 
-/// The dual graph of the lab's subdivision.
-pub(super) fn dual() -> Made<String> {
-    let options = FigureOptions::new("The dual graph").id_prefix("dual");
-    Ok(figure::dual(&lesson::lab_subdivision()?, &options)?.to_svg())
-}
-
 /// A small square far from the middle of a large rectangle, and its surroundings.
-pub(super) fn inset() -> Made<String> {
+pub(super) fn inset(options: &FigureOptions) -> Made<String> {
     let points =
         [(0., 0.), (1000., 0.), (1000., 500.), (0., 500.), (700., 300.), (704., 300.), (704., 303.), (700., 303.)];
     let plane = lesson::quads(points)?;
-    Ok(figure::inset(&plane, None, &FigureOptions::new("A small face, enlarged").id_prefix("inset"))?.to_svg())
+    Ok(figure::inset(&plane, None, options)?.to_svg())
 }

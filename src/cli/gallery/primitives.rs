@@ -60,7 +60,7 @@ fn marked(new: [At; 2], moved: &[[At; 2]]) -> Sketch {
 }
 
 /// Six panels: a wheel and what vertex splits make of it, a face and its split.
-pub(super) fn figure() -> Made<String> {
+pub(super) fn figure(options: &FigureOptions) -> Made<String> {
     let wheel = wheel()?;
     let spoke = |i: u32| -> HalfEdgeId {
         let end = VertexId::new(i % 6 + 1);
@@ -103,6 +103,5 @@ pub(super) fn figure() -> Made<String> {
     sheet.structure("A face", "six corners", &face);
     let cut = [rim(4), rim(0)];
     sheet.over("Face split", "two corners are joined", &two_faces, Backdrop::Plain, marked(cut, &[]));
-    let options = FigureOptions::new("The two primitives").id_prefix("primitives").width(408.0);
-    Ok(sheet.figure(&options)?.to_svg())
+    Ok(sheet.figure(options)?.to_svg())
 }

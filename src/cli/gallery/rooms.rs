@@ -41,7 +41,7 @@ const SIZE: [f64; 2] = [9.6, 3.0];
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
 /// The picture: one box a room, one arrow from a room to each that it uses; what follows from other arrows is left out.
-pub(super) fn picture() -> Made<String> {
+pub(super) fn picture(options: &FigureOptions) -> Made<String> {
     let uses = uses(program_sources().iter().map(|(path, text)| (path.as_str(), *text)));
     let mut sketch = Sketch::new();
     let place = |room: &str| {
@@ -62,8 +62,7 @@ pub(super) fn picture() -> Made<String> {
         let path = route(place(&room), place(&below), &boxes);
         sketch.path(Role::Main, path).solid().arrow().title(format!("{room} uses {below}"));
     }
-    let options = FigureOptions::new("The rooms of the kit").id_prefix("rooms").width(560.0);
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }
 
 /// A path from a box down to another that crosses no third one: straight, else to the side and down.

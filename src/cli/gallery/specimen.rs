@@ -23,7 +23,7 @@ fn room() -> Sketch {
 }
 
 /// The sheet: every element and every role in a panel where it is at home.
-pub(super) fn vocabulary() -> Made<String> {
+pub(super) fn vocabulary(options: &FigureOptions) -> Made<String> {
     let mut sheet = Multiples::new();
     sheet.sketch("Regions, paths, portals", "the corridor in blue, its portals in the order of the way", corridor());
     sheet.sketch("Cones and rays", "what is seen from the start, cut by the frame or by an end", cones());
@@ -31,7 +31,7 @@ pub(super) fn vocabulary() -> Made<String> {
     sheet.sketch("A sweep", "events by their marks; the line runs from frame to frame", sweep());
     sheet.sketch("Roles", "lines differ by dash and width, points by their marks, too", roles());
     sheet.sketch("Badges and labels", "badges are explained in the legend; labels cover nothing", badges());
-    Ok(sheet.figure(&FigureOptions::new("The drawing vocabulary").id_prefix("vocabulary"))?.to_svg())
+    Ok(sheet.figure(options)?.to_svg())
 }
 
 fn corridor() -> Sketch {
@@ -103,7 +103,7 @@ fn badges() -> Sketch {
 }
 
 /// The three examples of the source, and how many of the first n × n points doubles get wrong.
-pub(super) fn wrong_signs() -> Made<String> {
+pub(super) fn wrong_signs(options: &FigureOptions) -> Made<String> {
     let step = 0.5 * f64::EPSILON;
     let examples = [
         ("a", NearlyCollinear::default()),
@@ -125,13 +125,12 @@ pub(super) fn wrong_signs() -> Made<String> {
     }
     chart.growth("n²", [8.0, 64.0], [140.0, 140.0 * 140.0]);
     chart.growth("n", [50.0, 50.0], [500.0, 500.0]);
-    let options = FigureOptions::new("Wrong signs of plain doubles").id_prefix("wrong-signs");
-    Ok(chart.sketch.figure(&options)?.to_svg())
+    Ok(chart.sketch.figure(options)?.to_svg())
 }
 
 /// How many bytes a figure takes for each edge of a grid, and how much it shows. Counted, not measured: the same on
 /// every machine.
-pub(super) fn figure_sizes() -> Made<String> {
+pub(super) fn figure_sizes(options: &FigureOptions) -> Made<String> {
     let levels = [
         (Detail::Full, "everything"),
         (Detail::Arrows, "half-edges without labels"),
@@ -141,8 +140,7 @@ pub(super) fn figure_sizes() -> Made<String> {
     let mut samples: Vec<(Detail, [f64; 2])> = Vec::new();
     for side in [1, 2, 3, 5, 7, 9, 11, 14, 20, 28, 40, 57, 80, 113] {
         let grid = lesson::grid(side)?;
-        let options = FigureOptions::new("Grid").width(640.0);
-        let figure = figure::structure(&grid, &options)?;
+        let figure = figure::structure(&grid, &FigureOptions::new("Grid").width(640.0))?;
         let edges = grid.edge_count() as f64;
         samples.push((figure.detail(), [edges, figure.to_svg().len() as f64 / edges]));
     }
@@ -151,12 +149,11 @@ pub(super) fn figure_sizes() -> Made<String> {
     for (level, name) in levels {
         chart.series(name, samples.iter().filter(|sample| sample.0 == level).map(|sample| sample.1));
     }
-    let options = FigureOptions::new("Level of detail and size of a figure").id_prefix("figure-sizes");
-    Ok(chart.sketch.figure(&options)?.to_svg())
+    Ok(chart.sketch.figure(options)?.to_svg())
 }
 
 /// A straight walk through a subdivision: what a point location does, over the structure it does it in.
-pub(super) fn walk() -> Made<String> {
+pub(super) fn walk(options: &FigureOptions) -> Made<String> {
     let cube = lesson::cube()?;
     let mut sketch = Sketch::new();
     let (from, to) = ([0.9, 3.6], [5.3, 2.3]);
@@ -171,7 +168,7 @@ pub(super) fn walk() -> Made<String> {
     sketch.portal(Role::Secondary, [4.2, 3.9], [4.2, 2.1]);
     sketch.point(Role::Start, from).label("start");
     sketch.point(Role::Goal, to).label("query");
-    let options = FigureOptions::new("A walk to a point").id_prefix("walk").half_edge_labels(false).width(620.0);
+    let options = options.clone().half_edge_labels(false);
     Ok(sketch.over(&cube, Backdrop::Dimmed, &options)?.to_svg())
 }
 
@@ -200,7 +197,7 @@ map
 ";
 
 /// Every algorithm of the ladder between two places of a map, cut into triangles.
-pub(super) fn ladder() -> Made<String> {
+pub(super) fn ladder(options: &FigureOptions) -> Made<String> {
     let mut map = Grid::parse(BLOCKS.as_bytes(), "blocks.map")?.regions()?;
     let borders = map.edge_bound();
     map.triangulate(TriangulationMethod::default())?;
@@ -212,6 +209,5 @@ pub(super) fn ladder() -> Made<String> {
     for algorithm in PathAlgorithm::ALL {
         routes.push((algorithm, planner.route_between(&mesh, algorithm, start, goal)?));
     }
-    let options = FigureOptions::new("Six ways round blocks").id_prefix("ladder");
-    Ok(Floor::new(&map, &mesh).ladder(&routes, &options)?.to_svg())
+    Ok(Floor::new(&map, &mesh).ladder(&routes, options)?.to_svg())
 }

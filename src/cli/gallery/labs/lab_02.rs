@@ -13,7 +13,7 @@ pub(in crate::gallery) fn corners() -> Vec<Point> {
 }
 
 /// The triangulation that lab 02 asks for: the only one that its polygon has.
-pub(in crate::gallery) fn triangulation() -> Made<String> {
+pub(in crate::gallery) fn triangulation(options: &FigureOptions) -> Made<String> {
     let mut sketch = Sketch::new();
     let triangles = drawing::triangles();
     for &corners in &triangles {
@@ -30,6 +30,5 @@ pub(in crate::gallery) fn triangulation() -> Made<String> {
         }
     }
     dots(&mut sketch, Role::Plain, drawing::DRAWING);
-    let options = FigureOptions::new("A polygon cut into triangles").id_prefix("lab-02-triangulation").width(620.0);
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }

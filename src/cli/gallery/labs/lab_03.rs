@@ -22,7 +22,7 @@ fn outline(sketch: &mut Sketch, role: Role, corners: &[[f64; 2]]) {
 }
 
 /// The picture that lab 03 asks for.
-pub(in crate::gallery) fn picture() -> Made<String> {
+pub(in crate::gallery) fn picture(options: &FigureOptions) -> Made<String> {
     let mut sketch = Sketch::new();
     let [points @ .., eye] = POINTS;
     let corners = hull(&points)?;
@@ -36,12 +36,11 @@ pub(in crate::gallery) fn picture() -> Made<String> {
         sketch.path(Role::Secondary, [eye, touched]).solid();
     }
     dots(&mut sketch, Role::Plain, POINTS);
-    let options = FigureOptions::new("A convex hull and two tangents").id_prefix("lab-03-hull");
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }
 
 /// Three ways to a hull, each in the middle of its work.
-pub(in crate::gallery) fn three_ways() -> Made<String> {
+pub(in crate::gallery) fn three_ways(options: &FigureOptions) -> Made<String> {
     let [points @ .., _] = POINTS;
     let corners = hull(&points)?;
 
@@ -72,6 +71,5 @@ pub(in crate::gallery) fn three_ways() -> Made<String> {
     panels.sketch("Gift wrapping", "from corner to corner", gift);
     panels.sketch("Graham's scan", "from left to right", scan);
     panels.sketch("By halves", "two hulls are merged", halves);
-    let options = FigureOptions::new("Three ways to a convex hull").id_prefix("three-ways").width(420.0);
-    Ok(panels.figure(&options)?.to_svg())
+    Ok(panels.figure(options)?.to_svg())
 }

@@ -8,11 +8,11 @@ use dcel_kit::script::Script;
 use dcel_kit::sources;
 
 /// The drawing that lab 04 asks for.
-pub(in crate::gallery) fn drawing() -> Made<String> {
+pub(in crate::gallery) fn drawing(options: &FigureOptions) -> Made<String> {
     let script = sources::LAB_04_DRAWING;
     let drawing = Script::parse(script, "lab-04-drawing.dcels")?.run().end;
     let colours = Overrides::parse(sources::LAB_04_COLOURS)?;
-    let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
+    let options = options.clone().detail(Detail::Edges).overrides(colours);
     Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
 }
 
@@ -20,7 +20,7 @@ pub(in crate::gallery) fn drawing() -> Made<String> {
 const TWO_FACES: [[f64; 2]; 6] = [[0.0, 0.5], [4.0, 0.0], [8.0, 0.7], [7.4, 4.2], [4.3, 4.6], [0.4, 4.0]];
 
 /// Why an edge is cut along its length: as a link of a list it would need two nexts.
-pub(in crate::gallery) fn two_nexts() -> Made<String> {
+pub(in crate::gallery) fn two_nexts(options: &FigureOptions) -> Made<String> {
     let [a, b, c, d, e, f] = TWO_FACES;
     let mut list = Sketch::new();
     list.region(Role::Main, [[a, b, e, f]]).plain();
@@ -35,6 +35,5 @@ pub(in crate::gallery) fn two_nexts() -> Made<String> {
     let mut panels = Multiples::new();
     panels.sketch("One record for an edge", "counter-clockwise, it runs up for one face and down for the other", list);
     panels.structure("Two half-edges", "one for each face, each with one next; they are twins", &halves);
-    let options = FigureOptions::new("Why an edge is cut along its length").id_prefix("two-nexts").width(408.0);
-    Ok(panels.figure(&options)?.to_svg())
+    Ok(panels.figure(options)?.to_svg())
 }

@@ -16,8 +16,8 @@ fn handout() -> Made<Subdivision> {
 }
 
 /// The list of the handout as a structure.
-pub(in crate::gallery) fn structure() -> Made<String> {
-    let options = FigureOptions::new("The structure of lab 05").detail(Detail::Edges).id_prefix("triangle-list");
+pub(in crate::gallery) fn structure(options: &FigureOptions) -> Made<String> {
+    let options = options.clone().detail(Detail::Edges);
     Ok(figure::structure(&handout()?, &options)?.to_svg())
 }
 
@@ -26,7 +26,7 @@ const APART: f64 = 0.84;
 const WITHIN: f64 = 0.62;
 
 /// The faces as the list has them, each alone; the cycles of the faces; twins and the border.
-pub(in crate::gallery) fn matching() -> Made<String> {
+pub(in crate::gallery) fn matching(options: &FigureOptions) -> Made<String> {
     let mut list = Sketch::new();
     for (f, face) in FACES.iter().enumerate() {
         let corners: Vec<[f64; 2]> = face.iter().map(|&v| POINTS[v as usize]).collect();
@@ -44,12 +44,11 @@ pub(in crate::gallery) fn matching() -> Made<String> {
     let mut panels = Multiples::new();
     panels.sketch("The list", "each face alone: corner 6 is in all four", list);
     panels.structure("The structure", "twins are matched, and the outer face has the border", &structure);
-    let options = FigureOptions::new("From a list of faces to half-edges").id_prefix("matching").width(405.0);
-    Ok(panels.figure(&options)?.to_svg())
+    Ok(panels.figure(options)?.to_svg())
 }
 
 /// Face by face: what waits for its twin, what has found it; in the end, the border.
-pub(in crate::gallery) fn film() -> Made<String> {
+pub(in crate::gallery) fn film(options: &FigureOptions) -> Made<String> {
     let mut film = SketchFilm::new();
     // The half-edges without a twin so far, by the ends of each.
     let mut waiting: Vec<[u32; 2]> = Vec::new();
@@ -85,7 +84,7 @@ pub(in crate::gallery) fn film() -> Made<String> {
     arrows(&mut sketch, &border, Role::Main, "half-edge of the outer face");
     corners(&mut sketch);
     film.frame("The border", "what still waits gets a twin in the outer face", sketch);
-    strip(&film, "A film of matching", "matching-film")
+    strip(&film, options)
 }
 
 fn corners(sketch: &mut Sketch) {

@@ -44,7 +44,7 @@ fn corners(map: &Subdivision, f: FaceId) -> Vec<Point> {
 }
 
 /// The picture that lab 06 asks for: corridor and path.
-pub(in crate::gallery) fn corridor() -> Made<String> {
+pub(in crate::gallery) fn corridor(options: &FigureOptions) -> Made<String> {
     let (map, route) = path()?;
     let mut sketch = Sketch::new();
     for &f in &route.faces {
@@ -56,12 +56,11 @@ pub(in crate::gallery) fn corridor() -> Made<String> {
     }
     sketch.path(Role::Goal, route.points.iter().copied()).solid();
     dots(&mut sketch, Role::Plain, route.points);
-    let options = FigureOptions::new("A corridor and the path in it").id_prefix("lab-06-corridor").width(620.0);
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }
 
 /// The portals of the corridor, with their left and right ends, over the map.
-pub(in crate::gallery) fn portals() -> Made<String> {
+pub(in crate::gallery) fn portals(options: &FigureOptions) -> Made<String> {
     let (map, route) = path()?;
     let mut sketch = Sketch::new();
     for (t, triangle) in MAP_TRIANGLES.iter().enumerate() {
@@ -79,6 +78,5 @@ pub(in crate::gallery) fn portals() -> Made<String> {
     sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest path in the corridor");
     sketch.point(Role::Start, START).label("start");
     sketch.point(Role::Goal, GOAL).label("goal");
-    let options = FigureOptions::new("Portals of a corridor").id_prefix("lab-06-portals").width(620.0);
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }

@@ -9,7 +9,7 @@ use dcel_kit::plane::{Point, Subdivision};
 use dcel_lab::cases::handouts::{SITES, circle};
 
 /// The picture that lab 07 asks for.
-pub(in crate::gallery) fn circles() -> Made<String> {
+pub(in crate::gallery) fn circles(options: &FigureOptions) -> Made<String> {
     let delaunay = Subdivision::delaunay(&SITES.map(Point::from))?.subdivision;
     let mut sketch = Sketch::new();
     for corners in triangles(&delaunay) {
@@ -22,8 +22,7 @@ pub(in crate::gallery) fn circles() -> Made<String> {
         sketch.path(Role::Main, ends).solid();
     }
     dots(&mut sketch, Role::Plain, SITES);
-    let options = FigureOptions::new("A Delaunay triangulation and its empty circles").id_prefix("lab-07-circles");
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }
 
 /// The corners a, b, c, d of two triangles, counter-clockwise a, d, b, c.
@@ -61,7 +60,7 @@ fn triangle(sketch: &mut Sketch, corners: [[f64; 2]; 3], names: [&str; 3], face:
 }
 
 /// The records of a flip, before and after.
-pub(in crate::gallery) fn flip() -> Made<String> {
+pub(in crate::gallery) fn flip(options: &FigureOptions) -> Made<String> {
     let [a, b, c, d] = CORNERS_OF_A_FLIP.map(|(_, place)| place);
     let mut panels = Multiples::new();
     let all = [
@@ -86,6 +85,5 @@ pub(in crate::gallery) fn flip() -> Made<String> {
         }
         panels.sketch(heading, words, sketch);
     }
-    let options = FigureOptions::new("A flip").id_prefix("lab-07-flip").width(405.0);
-    Ok(panels.figure(&options)?.to_svg())
+    Ok(panels.figure(options)?.to_svg())
 }

@@ -8,7 +8,7 @@ use dcel_kit::plane::{Point, Subdivision, Window};
 use dcel_lab::cases::handouts::SITES;
 
 /// The picture that lab 08 asks for. All centres are inside of the frame, at which the rays end.
-pub(in crate::gallery) fn picture() -> Made<String> {
+pub(in crate::gallery) fn picture(options: &FigureOptions) -> Made<String> {
     let delaunay = Subdivision::delaunay(&SITES.map(Point::from))?.subdivision;
     let voronoi = delaunay.voronoi()?;
     let frame = Window { low: Point::new(-320.0, -220.0), high: Point::new(320.0, 220.0) };
@@ -19,6 +19,5 @@ pub(in crate::gallery) fn picture() -> Made<String> {
         }
     }
     dots(&mut sketch, Role::Plain, SITES);
-    let options = FigureOptions::new("The Voronoi diagram of twelve sites").id_prefix("lab-08-voronoi");
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }

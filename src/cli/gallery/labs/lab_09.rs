@@ -48,7 +48,7 @@ fn seen(panel: usize, [x, y, z]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The picture that lab 09 asks for: a ring, two cylinders, a cone, a sphere, a torus.
-pub(in crate::gallery) fn growth() -> Made<String> {
+pub(in crate::gallery) fn growth(options: &FigureOptions) -> Made<String> {
     let mut sketch = Sketch::new();
     for (panel, (shape, rows)) in STAGES.into_iter().enumerate() {
         let solid = shape.build()?.polyhedron;
@@ -59,12 +59,11 @@ pub(in crate::gallery) fn growth() -> Made<String> {
         }
         dots(&mut sketch, Role::Main, solid.vertices().map(at));
     }
-    let options = FigureOptions::new("Primitives as they grow").id_prefix("lab-09-growth").width(1100.0);
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }
 
 /// A pole over a square, seen from above: a spur, then face splits.
-pub(in crate::gallery) fn film() -> Made<String> {
+pub(in crate::gallery) fn film(options: &FigureOptions) -> Made<String> {
     let mut square =
         Subdivision::polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(|[x, y]| Point { x, y }))?;
     let mut film = SketchFilm::new();
@@ -89,5 +88,5 @@ pub(in crate::gallery) fn film() -> Made<String> {
         tip = new.twin();
         corner = square.next(corner);
     }
-    strip(&film, "A film of a pole", "pole")
+    strip(&film, options)
 }

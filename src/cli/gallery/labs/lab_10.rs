@@ -34,13 +34,12 @@ fn pair(solid: Platonic, glyph: Glyph) -> Sketch {
 }
 
 /// The picture that lab 10 asks for. Its dots are round, as those of the students: squares would be four edges each.
-pub(in crate::gallery) fn cube() -> Made<String> {
-    let options = FigureOptions::new("A cube and its dual, the octahedron").id_prefix("lab-10-cube").width(480.0);
-    Ok(pair(Platonic::Cube, Glyph::Disc).figure(&options)?.to_svg())
+pub(in crate::gallery) fn cube(options: &FigureOptions) -> Made<String> {
+    Ok(pair(Platonic::Cube, Glyph::Disc).figure(options)?.to_svg())
 }
 
 /// Three pairs of duals.
-pub(in crate::gallery) fn duals() -> Made<String> {
+pub(in crate::gallery) fn duals(options: &FigureOptions) -> Made<String> {
     let mut panels = Multiples::new();
     panels.columns(3);
     for (solid, heading, text) in [
@@ -50,12 +49,11 @@ pub(in crate::gallery) fn duals() -> Made<String> {
     ] {
         panels.sketch(heading, text, pair(solid, Glyph::Square));
     }
-    let options = FigureOptions::new("Three pairs of duals").id_prefix("lab-10-duals").width(290.0);
-    Ok(panels.figure(&options)?.to_svg())
+    Ok(panels.figure(options)?.to_svg())
 }
 
 /// The cube, spread out in the plane, loses edges until one face is left.
-pub(in crate::gallery) fn film() -> Made<String> {
+pub(in crate::gallery) fn film(options: &FigureOptions) -> Made<String> {
     let mut cube = lesson::cube()?;
     let mut film = SketchFilm::new();
     loop {
@@ -63,7 +61,7 @@ pub(in crate::gallery) fn film() -> Made<String> {
         let mut sketch = Sketch::new();
         let Some(h) = goes else {
             film.over("One face is left: the edges are a tree", &euler(&cube), &cube, Backdrop::Plain, sketch);
-            return strip(&film, "A film of merged faces", "merge");
+            return strip(&film, options);
         };
         sketch.path(Role::Wrong, [cube.origin(h), cube.destination(h)].map(|v| cube.point(v))).key("goes next");
         let [left, right] = [h, h.twin()].map(|h| cube.face(h));

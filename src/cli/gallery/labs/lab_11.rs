@@ -16,7 +16,7 @@ fn projected([x, y, z]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The picture that lab 11 asks for: the edges of the gem, and the climb.
-pub(in crate::gallery) fn climb() -> Made<String> {
+pub(in crate::gallery) fn climb(options: &FigureOptions) -> Made<String> {
     let at = |v: usize| projected(GEM[v]);
     let mut sketch = Sketch::new();
     for k in 1..=6 {
@@ -28,8 +28,7 @@ pub(in crate::gallery) fn climb() -> Made<String> {
     for v in CLIMB {
         sketch.point(Role::Plain, at(v)).label(format!("v{v}"));
     }
-    let options = FigureOptions::new("A climb over a polyhedron").id_prefix("lab-11-climb").width(520.0);
-    Ok(sketch.figure(&options)?.to_svg())
+    Ok(sketch.figure(options)?.to_svg())
 }
 
 /// A polygon, and a climb over it.
@@ -54,7 +53,7 @@ fn panel(corners: &[[f64; 2]], climb: &[usize], end: &str) -> Sketch {
 }
 
 /// Where a climb upwards ends: at the top, at a lower peak, on a plateau.
-pub(in crate::gallery) fn stuck() -> Made<String> {
+pub(in crate::gallery) fn stuck(options: &FigureOptions) -> Made<String> {
     let convex = [[-10.0, -100.0], [90.0, -50.0], [105.0, 30.0], [35.0, 95.0], [-70.0, 60.0], [-100.0, -30.0]];
     let dented = [[0.0, -100.0], [95.0, -30.0], [75.0, 95.0], [10.0, -10.0], [-55.0, 45.0], [-100.0, -40.0]];
     let level =
@@ -63,6 +62,5 @@ pub(in crate::gallery) fn stuck() -> Made<String> {
     panels.sketch("Convex", "the climb ends at the top", panel(&convex, &[0, 1, 2, 3], "top"));
     panels.sketch("Not convex", "it ends at a lower peak", panel(&dented, &[5, 4], "stuck"));
     panels.sketch("A plateau", "both neighbours are as high: it ends at once", panel(&level, &[2], "stuck"));
-    let options = FigureOptions::new("Where a climb ends").id_prefix("lab-11-stuck").width(420.0);
-    Ok(panels.figure(&options)?.to_svg())
+    Ok(panels.figure(options)?.to_svg())
 }
