@@ -1,9 +1,10 @@
 //! A pointer led elsewhere by hand, and the invariants that break by it.
 
 use super::reply::{Message, Tone, element};
-use super::tables::{find, pointers};
-use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use super::tables::{find, name, pointers};
+use crate::ids::Element;
 use crate::topology::{Table, Violation, violations};
+use std::str::FromStr;
 
 /// A table some of whose pointers were led elsewhere.
 #[derive(Clone, Debug)]
@@ -22,7 +23,7 @@ impl Broken {
     pub(super) fn lead(&mut self, id: &str, pointer: &str, to: &str) -> Result<String, String> {
         let owner = find(&self.table, id)?;
         let before = set(&mut self.table, owner, pointer, to)?;
-        let before = before.map_or_else(|| "none".to_owned(), |before| before.to_string());
+        let before = name(before);
         self.changes.push([owner.to_string(), pointer.to_owned(), before.clone()]);
         Ok(format!("{owner}.{pointer} = {} (it was {before})", to.trim()))
     }
@@ -40,7 +41,7 @@ impl Broken {
         let mut out: Vec<String> = Vec::new();
         for [id, pointer, _] in &self.changes {
             let to = element(id).and_then(|owner| get(&self.table, owner, pointer));
-            let line = format!("{id} {pointer} {}", to.map_or_else(|| "none".to_owned(), |to| to.to_string()));
+            let line = format!("{id} {pointer} {}", name(to));
             if !out.contains(&line) {
                 out.push(line);
             }
@@ -82,26 +83,19 @@ pub(super) fn get(table: &Table, owner: Element, pointer: &str) -> Option<Elemen
 pub(super) fn set(table: &mut Table, owner: Element, pointer: &str, to: &str) -> Result<Option<Element>, String> {
     let before = get(table, owner, pointer);
     let word = to.trim();
-    let none = word.is_empty() || word == "none";
     let wrong =
         |wanted: &str| format!("{owner}.{pointer} leads to {wanted}, and `{word}` is none; write {wanted} or none");
-    let half_edge = || {
-        if none { Ok(None) } else { word.parse::<HalfEdgeId>().map(Some).map_err(|_| wrong("a half-edge such as h0")) }
-    };
-    let vertex =
-        || if none { Ok(None) } else { word.parse::<VertexId>().map(Some).map_err(|_| wrong("a vertex such as v0")) };
-    let face =
-        || if none { Ok(None) } else { word.parse::<FaceId>().map(Some).map_err(|_| wrong("a face such as f0")) };
+    let half_edge = || read(word, || wrong("a half-edge such as h0"));
     let gone = || format!("there is no {owner}");
     match (owner, pointer) {
         (Element::HalfEdge(h), "origin" | "twin" | "next" | "prev" | "face") => {
             let row = table.half_edges.get_mut(h.index()).and_then(Option::as_mut).ok_or_else(gone)?;
             match pointer {
-                "origin" => row.origin = vertex()?,
+                "origin" => row.origin = read(word, || wrong("a vertex such as v0"))?,
                 "twin" => row.twin = half_edge()?,
                 "next" => row.next = half_edge()?,
                 "prev" => row.prev = half_edge()?,
-                _ => row.face = face()?,
+                _ => row.face = read(word, || wrong("a face such as f0"))?,
             }
         }
         (Element::Vertex(v), "outgoing") => {
@@ -113,4 +107,9 @@ pub(super) fn set(table: &mut Table, owner: Element, pointer: &str, to: &str) ->
         _ => return Err(format!("{owner} has no pointer `{pointer}`")),
     }
     Ok(before)
+}
+
+/// An id, or none.
+fn read<I: FromStr>(word: &str, wrong: impl FnOnce() -> String) -> Result<Option<I>, String> {
+    if word.is_empty() || word == "none" { Ok(None) } else { word.parse().map(Some).map_err(|_| wrong()) }
 }

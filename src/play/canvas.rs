@@ -135,51 +135,29 @@ impl Canvas {
 
     /// What lies at a place of a subdivision.
     pub(super) fn pick(&self, s: &Subdivision, x: f64, y: f64, reach: f64) -> Option<Element> {
-        let vertices = s.vertices().map(|v| (v, s.point(v)));
-        let edges = s.edges().map(|e| {
-            let h = e.half_edges()[0];
-            ([h, h.twin()], [s.point(s.origin(h)), s.point(s.destination(h))])
-        });
-        self.near(vertices, edges, [x, y], reach)
-            .or_else(|| Some(s.locate(self.fit.as_ref()?.point(xy(x, y))).element()))
+        let face = || Some(s.locate(self.fit.as_ref()?.point(xy(x, y))).element());
+        self.near(s, x, y, reach).or_else(face)
     }
 
-    /// What lies at a place of a table, which may be broken: a vertex or a half-edge.
-    pub(super) fn pick_in_table(&self, table: &Table, x: f64, y: f64, reach: f64) -> Option<Element> {
-        let vertices =
-            (0..table.vertex_bound() as u32).map(VertexId::new).filter_map(|v| Some((v, table.position(v)?)));
-        let edges = (0..table.half_edge_bound() as u32).map(HalfEdgeId::new).filter_map(|h| {
-            let twin = table.twin(h).filter(|&twin| h < twin)?;
-            Some(([h, twin], [table.position(table.origin(h)?)?, table.position(table.origin(twin)?)?]))
-        });
-        self.near(vertices, edges, [x, y], reach)
-    }
-
-    /// The nearest vertex, else the nearest edge: its half on this side.
-    fn near(
-        &self,
-        vertices: impl Iterator<Item = (VertexId, Point)>,
-        edges: impl Iterator<Item = ([HalfEdgeId; 2], [Point; 2])>,
-        [x, y]: [f64; 2],
-        reach: f64,
-    ) -> Option<Element> {
+    /// What lies at a place of a structure, which may be broken: the nearest vertex, else the nearest edge, its half on this
+    /// side.
+    pub(super) fn near(&self, view: &impl PlanarView, x: f64, y: f64, reach: f64) -> Option<Element> {
         let fit = self.fit.as_ref()?;
         let reach = if reach.is_finite() { reach.clamp(1.0, 60.0) } else { 10.0 };
         let at = xy(x, y);
-        let vertex = vertices.map(|(v, p)| ((fit.place(p) - at).length(), v)).min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((_, v)) = vertex.filter(|&(d, _)| d <= reach) {
-            return Some(v.into());
-        }
-        let mut best: Option<(f64, HalfEdgeId)> = None;
-        for ([h, twin], ends) in edges {
-            let [a, b] = ends.map(|p| fit.place(p));
-            let (d, side) = from_segment(at, a, b);
-            if best.is_none_or(|(least, _)| d < least) {
-                // y of the picture points down: what is left in the plane has a negative sign here.
-                best = Some((d, if side <= 0.0 { h } else { twin }));
-            }
-        }
-        best.filter(|&(d, _)| d <= reach).map(|(_, h)| h.into())
+        let place = |v: VertexId| Some(fit.place(view.position(v)?));
+        let vertices = (0..view.vertex_bound() as u32).map(VertexId::new);
+        let mut vertices = vertices.filter_map(|v| Some(((place(v)? - at).length(), Element::from(v))));
+        let mut edges = (0..view.half_edge_bound() as u32).map(HalfEdgeId::new).filter_map(|h| {
+            let twin = view.twin(h).filter(|&twin| h < twin)?;
+            let (d, side) = from_segment(at, place(view.origin(h)?)?, place(view.origin(twin)?)?);
+            // y of the picture points down: what is left in the plane has a negative sign here.
+            Some((d, Element::from(if side <= 0.0 { h } else { twin })))
+        });
+        let nearest = |all: &mut dyn Iterator<Item = (f64, Element)>| {
+            all.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|&(d, _)| d <= reach).map(|(_, element)| element)
+        };
+        nearest(&mut vertices).or_else(|| nearest(&mut edges))
     }
 }
 

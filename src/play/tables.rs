@@ -4,6 +4,7 @@ use super::reply::{Selected, element};
 use crate::figure::escaped;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
+use crate::script::{Link, follow};
 use crate::topology::{Table, View, has};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -13,16 +14,11 @@ const ROWS: usize = 1000;
 
 /// The pointers of a record, each with its name and what it leads to. Those of a half-edge are the five of the lab.
 pub(super) fn pointers(table: &Table, element: Element) -> Vec<(&'static str, Option<Element>)> {
+    let of = |links: &[Link]| links.iter().map(|&link| (link.word(), follow(table, element, link))).collect();
     match element {
-        Element::HalfEdge(h) => vec![
-            ("origin", table.origin(h).map(Element::from)),
-            ("twin", table.twin(h).map(Element::from)),
-            ("next", table.next(h).map(Element::from)),
-            ("prev", table.prev(h).map(Element::from)),
-            ("face", table.face(h).map(Element::from)),
-        ],
-        Element::Vertex(v) => vec![("outgoing", table.outgoing(v).map(Element::from))],
-        Element::Face(f) => vec![("half_edge", table.half_edge(f).map(Element::from))],
+        Element::HalfEdge(_) => of(&[Link::Origin, Link::Twin, Link::Next, Link::Prev, Link::Face]),
+        Element::Vertex(_) => of(&[Link::Outgoing]),
+        Element::Face(_) => of(&[Link::HalfEdge]),
         Element::Edge(e) => {
             let [h, twin] = e.half_edges();
             vec![("half_edge", Some(h.into())), ("twin", Some(twin.into()))]
@@ -30,15 +26,19 @@ pub(super) fn pointers(table: &Table, element: Element) -> Vec<(&'static str, Op
     }
 }
 
+/// What a pointer leads to.
+pub(super) fn name(target: Option<Element>) -> String {
+    target.map_or_else(|| "none".to_owned(), |target| target.to_string())
+}
+
 /// An element in words.
 pub(super) fn describe(table: &Table, chosen: Element) -> Selected {
-    let name = |target: Option<Element>| target.map_or_else(|| "none".to_owned(), |target| target.to_string());
     let mut pointers: Vec<[String; 2]> =
         pointers(table, chosen).into_iter().map(|(pointer, to)| [pointer.to_owned(), name(to)]).collect();
     let title = match chosen {
         Element::HalfEdge(h) => {
-            let to = table.twin(h).and_then(|twin| table.origin(twin)).map(Element::from);
-            format!("half-edge {h}, {} to {}", name(table.origin(h).map(Element::from)), name(to))
+            let [from, to] = [Link::Origin, Link::Destination].map(|link| name(follow(table, chosen, link)));
+            format!("half-edge {h}, {from} to {to}")
         }
         Element::Vertex(v) => match table.position(v) {
             Some(p) => format!("vertex {v} at ({}, {})", p.x, p.y),

@@ -9,7 +9,7 @@ use crate::ids::Element;
 use crate::play::broken::{POINTERS, faults, get, set};
 use crate::play::dice::Dice;
 use crate::play::reply::Message;
-use crate::play::tables::find;
+use crate::play::tables::{find, name};
 use crate::topology::{Table, View, violations};
 
 /// A structure with one wrong pointer.
@@ -74,14 +74,13 @@ impl FindFault {
             answer.split_once('.').ok_or("click the cell of a pointer, or write it as h3.next".to_owned())?;
         let owner = find(&self.table, id)?;
         let pointer = pointer.trim();
-        let now = get(&self.table, owner, pointer);
         let known = POINTERS.contains(&pointer) && set(&mut self.table.clone(), owner, pointer, "none").is_ok();
         if !known {
             return Err(format!("{owner} has no pointer `{pointer}`"));
         }
         let right = self.mends(owner, pointer);
-        let now = now.map_or_else(|| "none".to_owned(), |now| now.to_string());
-        let is = get(&self.table, self.owner, self.pointer).map_or_else(|| "none".to_owned(), |is| is.to_string());
+        let now = name(get(&self.table, owner, pointer));
+        let is = name(get(&self.table, self.owner, self.pointer));
         let fault = format!("{}.{} is {is} and should be {}", self.owner, self.pointer, self.should_be);
         let text = match (right, (owner, pointer) == (self.owner, self.pointer)) {
             (true, true) => format!("right: {fault}"),

@@ -1,6 +1,6 @@
 //! Structures to ask about: polygons cut by random splits, the same for the same seed.
 
-use crate::ids::HalfEdgeId;
+use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::play::dice::Dice;
 
@@ -25,21 +25,18 @@ pub(super) fn random(dice: &mut Dice, splits: usize) -> Subdivision {
         let Some(&a) = dice.pick(&half_edges) else { break };
         let cycle: Vec<HalfEdgeId> = s.cycle(a).collect();
         if cycle.len() < 4 {
-            let long = length(&s, a) > 180.0;
+            let long = distance(&s, s.origin(a), s.destination(a)) > 180.0;
             made += usize::from(long && s.split_in_half(a).is_ok());
             continue;
         }
         let Some(&b) = dice.pick(&cycle) else { break };
-        let far = {
-            let (p, q) = (s.point(s.origin(a)), s.point(s.origin(b)));
-            ((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y)).sqrt() > 120.0
-        };
+        let far = distance(&s, s.origin(a), s.origin(b)) > 120.0;
         made += usize::from(far && s.split_face(a, b).is_ok());
     }
     s
 }
 
-fn length(s: &Subdivision, h: HalfEdgeId) -> f64 {
-    let (p, q) = (s.point(s.origin(h)), s.point(s.destination(h)));
+fn distance(s: &Subdivision, u: VertexId, v: VertexId) -> f64 {
+    let (p, q) = (s.point(u), s.point(v));
     ((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y)).sqrt()
 }

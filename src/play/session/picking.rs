@@ -11,7 +11,7 @@ use crate::topology::has;
 impl Session {
     pub(super) fn under(&self, x: f64, y: f64, reach: f64) -> Option<Element> {
         if let Some(table) = self.quiz.as_ref().and_then(|quiz| quiz.round.table()) {
-            return self.canvas.pick_in_table(table, x, y, reach);
+            return self.canvas.near(table, x, y, reach);
         }
         self.canvas.pick(self.scene.subdivision()?, x, y, reach)
     }

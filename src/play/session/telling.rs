@@ -99,19 +99,9 @@ impl Session {
             Scene::Kernel(work) => [work.can_undo(), work.can_redo()],
             Scene::Points(points) => points.history(),
         };
-        reply.status = Some(Status {
-            counts: format!(
-                "{}, {}, {}",
-                counted(v, "vertex", "vertices"),
-                counted(e, "edge", "edges"),
-                counted(f, "face", "faces")
-            ),
-            euler,
-            violations,
-            scene,
-            history,
-            over,
-        });
+        let counts = [(v, "vertex", "vertices"), (e, "edge", "edges"), (f, "face", "faces")];
+        let counts = counts.map(|(count, one, many)| counted(count, one, many)).join(", ");
+        reply.status = Some(Status { counts, euler, violations, scene, history, over });
         let lines = match &self.scene {
             Scene::Plane { work, .. } => work.lines(),
             Scene::Kernel(work) => work.lines(),
