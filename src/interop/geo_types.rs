@@ -9,12 +9,10 @@
 //! runs counter-clockwise, the interior ones clockwise. Names and hole faces are not geometry and stay behind; so do
 //! isolated vertices.
 
-use crate::geometry::predicates::orientation;
 use crate::ids::{FaceId, HalfEdgeId};
-use crate::plane::{ConvertError, ConvertOptions, Point, SegmentsError, Subdivision};
+use crate::plane::{ConvertError, ConvertOptions, Point, SegmentsError, Subdivision, is_counter_clockwise};
 use crate::topology::PolygonList;
 use ::geo_types::{Coord, LineString, MultiLineString, MultiPolygon, Point as GeoPoint, Polygon};
-use std::cmp::Ordering;
 
 impl From<Coord<f64>> for Point {
     fn from(c: Coord<f64>) -> Self {
@@ -250,15 +248,6 @@ impl Subdivision {
         }
         rings
     }
-}
-
-/// The direction of a simple ring, exactly: by the turn at its leftmost, lowest corner.
-fn is_counter_clockwise(ring: &[Point]) -> bool {
-    let n = ring.len();
-    let by_place = |&i: &usize, &j: &usize| ring[i].partial_cmp(&ring[j]).unwrap_or(Ordering::Equal);
-    let Some(i) = (0..n).min_by(by_place) else { return false };
-    // Corners with straight angles next to it do not turn: the leftmost, lowest corner itself always does.
-    orientation(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) == Ordering::Greater
 }
 
 /// All faces of the domain, in the order of their numbers: not `f0`, and no hole faces. Neighbours share sides.
