@@ -6,7 +6,7 @@
 //!   ben    …
 //! ```
 
-use super::html::{document, escaped, one, standing, submission};
+use super::html::{document, escaped, in_address, one, standing, submission};
 use super::{bugs, statistics, words};
 use crate::Report;
 use std::fmt::Write;
@@ -36,17 +36,12 @@ pub(super) fn index(reports: &[Report], pages: &[String], total: usize) -> Strin
     if reports.len() < total {
         body.push_str("<p>Not all are graded yet: the same command goes on where it stopped.</p>\n");
     }
-    table(&mut body, reports, |i| pages.get(i).map_or_else(String::new, |page| path_address(page)));
-    similar(&mut body, reports, |i| pages.get(i).map_or_else(String::new, |page| path_address(page)));
+    let link = |i: usize| pages.get(i).map_or_else(String::new, |page| in_address(page, b"-_.~/"));
+    table(&mut body, reports, link);
+    similar(&mut body, reports, link);
     named_bugs(&mut body, reports);
     statistics::section(&mut body, reports);
     document(&title, &body)
-}
-
-/// A path as the address of a link.
-fn path_address(path: &str) -> String {
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~/".contains(&byte);
-    path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02x}") }).collect()
 }
 
 /// A row for each submission, with a link.

@@ -175,8 +175,8 @@ fn pictures(out: &mut String, picture: &Picture, id: &str) {
             out,
             "<figure id=\"{id}-{caption}\"><figcaption>{caption} <a class=\"larger\" \
              href=\"#{id}-{caption}\">enlarge</a><a class=\"back\" href=\"#{id}\">back to the report</a></figcaption>\
-             <img alt=\"the structure: {caption}\" width=\"{width:.0}\" src=\"{}\"></figure>",
-            address(svg)
+             <img alt=\"the structure: {caption}\" width=\"{width:.0}\" src=\"data:image/svg+xml,{}\"></figure>",
+            in_address(svg, b"-_.~=:/,;()")
         );
     }
     out.push_str("</div>\n");
@@ -209,16 +209,14 @@ fn class_and_sign(verdict: Verdict) -> (&'static str, &'static str) {
     }
 }
 
-/// An SVG as the address of an image.
-fn address(svg: &str) -> String {
-    let mut out = String::from("data:image/svg+xml,");
-    for byte in svg.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' => out.push(char::from(byte)),
-            b'-' | b'_' | b'.' | b'~' | b'=' | b':' | b'/' | b',' | b';' | b'(' | b')' => out.push(char::from(byte)),
-            _ => {
-                let _ = write!(out, "%{byte:02x}");
-            }
+/// A text as part of an address: what is neither a letter, nor a digit, nor one of `plain` by its number.
+pub(super) fn in_address(text: &str, plain: &[u8]) -> String {
+    let mut out = String::with_capacity(text.len());
+    for byte in text.bytes() {
+        if byte.is_ascii_alphanumeric() || plain.contains(&byte) {
+            out.push(char::from(byte));
+        } else {
+            let _ = write!(out, "%{byte:02x}");
         }
     }
     out

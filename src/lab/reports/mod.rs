@@ -84,17 +84,8 @@ impl Format {
     #[must_use]
     pub fn one(self, report: &Report) -> String {
         match self {
-            Self::Gradescope => gradescope::write(report),
-            Self::Classroom50 => classroom::write(report),
-            Self::Exercism => exercism::write(report),
-            Self::Text => text::one(report),
-            Self::Html => html::one(report),
-            Self::Markdown => markdown::one(report),
             Self::Json => pretty(report),
-            Self::Junit => junit::write(std::slice::from_ref(report)),
-            Self::Csv => sheet::write(std::slice::from_ref(report)),
-            Self::Bugs => bugs::write(std::slice::from_ref(report)),
-            Self::Statistics => statistics::write(std::slice::from_ref(report)),
+            _ => self.write(std::slice::from_ref(report)),
         }
     }
 
@@ -105,8 +96,14 @@ impl Format {
     /// # Errors
     /// The formats that course systems read one submission at a time, see [`holds_a_class`](Self::holds_a_class).
     pub fn class(self, reports: &[Report]) -> Result<String, OneAtATime> {
-        Ok(match self {
-            Self::Gradescope | Self::Classroom50 | Self::Exercism => return Err(OneAtATime(self)),
+        if self.holds_a_class() { Ok(self.write(reports)) } else { Err(OneAtATime(self)) }
+    }
+
+    fn write(self, reports: &[Report]) -> String {
+        match self {
+            Self::Gradescope => reports.iter().map(gradescope::write).collect(),
+            Self::Classroom50 => reports.iter().map(classroom::write).collect(),
+            Self::Exercism => reports.iter().map(exercism::write).collect(),
             Self::Text => text::class(reports),
             Self::Html => class_page::class(reports),
             Self::Markdown => markdown::class(reports),
@@ -115,7 +112,7 @@ impl Format {
             Self::Csv => sheet::write(reports),
             Self::Bugs => bugs::write(reports),
             Self::Statistics => statistics::write(reports),
-        })
+        }
     }
 }
 
