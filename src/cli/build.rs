@@ -3,6 +3,7 @@
 use super::answer::fields;
 use super::choice::{number, pair};
 use super::failure::say;
+use super::input::refuse_object;
 use super::output::names;
 use super::results::{Moved, Results};
 use super::{Answer, Failure, Output};
@@ -89,10 +90,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             "build takes wkt, poly, segments, geojson and topojson; for others see dcel convert",
         ));
     };
-    if args.object.is_some() && read.format != Format::TopoJson {
-        let what = format!("{source}: --object cannot be used on {}: only TopoJSON files have objects", read.format);
-        return Err(Failure::input(what, "leave --object out"));
-    }
+    refuse_object(args.object.as_deref(), Some(read.format), &source)?;
     read.notes.iter().for_each(|note| say("note", note));
     if args.grid.is_some() && !mend {
         return Err(Failure::input("--grid is for segments that are split", "give --mend, too"));

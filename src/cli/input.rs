@@ -200,14 +200,14 @@ impl InputOptions {
                 format!("{source}: {flag} cannot be used on {format}: {why}"),
                 format!("leave {flag} out"),
             )),
-            None => self.refuse_object(Some(format), source),
+            None => refuse_object(self.object.as_deref(), Some(format), source),
         }
     }
 
     /// Reads the points of a file, of which nothing else is wanted. Prints the notes on stderr.
     pub(crate) fn points(&self, file: &Path) -> Result<PointList, Failure> {
         let list = read_points(file, &self.for_raw("only the points of the file are read")?)?;
-        self.refuse_object(list.format, &list.source)?;
+        refuse_object(self.object.as_deref(), list.format, &list.source)?;
         list.notes.iter().for_each(|note| say("note", note));
         Ok(list)
     }
@@ -231,16 +231,6 @@ impl InputOptions {
             }
             None => Ok(self.load_options().read),
         }
-    }
-
-    /// Refuses the name of an object where there are none. Plain points have no format.
-    pub(crate) fn refuse_object(&self, format: Option<Format>, source: &str) -> Result<(), Failure> {
-        if self.object.is_none() || format == Some(Format::TopoJson) {
-            return Ok(());
-        }
-        let format = format.map_or("plain points", Format::name);
-        let what = format!("{source}: --object cannot be used on {format}: only TopoJSON files have objects");
-        Err(Failure::input(what, "leave --object out"))
     }
 
     /// The first flag that is given, if any.
@@ -300,4 +290,14 @@ fn unread(file: &Path, error: ReadError) -> Failure {
 /// The text of a file that belongs to the command, and not to what it computes.
 pub(crate) fn text_of(file: &Path, help: &str) -> Result<String, Failure> {
     std::fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), help))
+}
+
+/// Refuses the name of an object where the file has none.
+pub(crate) fn refuse_object(object: Option<&str>, format: Option<Format>, source: &str) -> Result<(), Failure> {
+    if object.is_none() || format == Some(Format::TopoJson) {
+        return Ok(());
+    }
+    let format = format.map_or("plain points", Format::name);
+    let what = format!("{source}: --object cannot be used on {format}: only TopoJSON files have objects");
+    Err(Failure::input(what, "leave --object out"))
 }

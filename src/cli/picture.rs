@@ -9,24 +9,24 @@ use std::path::{Path, PathBuf};
 /// Where a figure goes, in which form, and how it looks.
 #[derive(Debug)]
 pub(crate) struct Target {
+    /// None is standard output.
+    path: Option<PathBuf>,
     form: Form,
     dress: Dress,
 }
 
 #[derive(Debug)]
 enum Form {
-    /// SVG on standard output.
-    Stdout,
-    Svg(PathBuf),
+    Svg,
     /// A document of its own.
-    Tex(PathBuf),
+    Tex,
     /// A picture for a document.
-    Tikz(PathBuf),
-    Pdf(PathBuf),
+    Tikz,
+    Pdf,
     /// With the pixels for each px.
-    Png(PathBuf, f64),
+    Png(f64),
     /// A film to be played.
-    Page(PathBuf),
+    Page,
 }
 
 impl Target {
@@ -63,20 +63,17 @@ impl Target {
         let path = path.filter(|path| path.as_os_str() != "-");
         let ending = path.and_then(Path::extension).map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let form = match (path, ending.as_deref()) {
-            (None, _) => Form::Stdout,
-            (Some(path), Some("png")) if cfg!(feature = "png") => {
-                Form::Png(path.to_owned(), dress.scale.unwrap_or(2.0))
-            }
-            (Some(path), Some("pdf")) if cfg!(feature = "png") => Form::Pdf(path.to_owned()),
+            (None, _) | (_, None | Some("svg")) => Form::Svg,
+            (_, Some("png")) if cfg!(feature = "png") => Form::Png(dress.scale.unwrap_or(2.0)),
+            (_, Some("pdf")) if cfg!(feature = "png") => Form::Pdf,
             (Some(path), Some("png")) => return Err(not_built(path, "PNG", "")),
             (Some(path), Some("pdf")) => {
                 let help = "; with Debian's librsvg2-bin: rsvg-convert -f pdf in.svg -o out.pdf";
                 return Err(not_built(path, "PDF", help));
             }
-            (Some(path), Some("tex")) => Form::Tex(path.to_owned()),
-            (Some(path), Some("tikz")) => Form::Tikz(path.to_owned()),
-            (Some(path), None | Some("svg")) => Form::Svg(path.to_owned()),
-            (Some(path), Some("html" | "htm")) if film => Form::Page(path.to_owned()),
+            (_, Some("tex")) => Form::Tex,
+            (_, Some("tikz")) => Form::Tikz,
+            (_, Some("html" | "htm")) if film => Form::Page,
             (Some(path), Some("html" | "htm")) => {
                 let what = format!("{}: a figure is no page", path.display());
                 return Err(Failure::input(what, "end the name in .svg; dcel figure writes pages with --html"));
@@ -92,25 +89,17 @@ impl Target {
             let what = "--scale is for pixels, and this would have none";
             return Err(Failure::input(what, "give a name that ends in .png, or choose the size by --width"));
         }
-        Ok(Self { form, dress })
+        Ok(Self { path: path.map(Path::to_owned), form, dress })
     }
 
     /// The file, if it is one.
     pub(crate) fn path(&self) -> Option<&Path> {
-        match &self.form {
-            Form::Stdout => None,
-            Form::Svg(path)
-            | Form::Tex(path)
-            | Form::Tikz(path)
-            | Form::Pdf(path)
-            | Form::Png(path, _)
-            | Form::Page(path) => Some(path),
-        }
+        self.path.as_deref()
     }
 
     /// Whether it is a page that plays a film.
     pub(crate) fn is_page(&self) -> bool {
-        matches!(self.form, Form::Page(_))
+        matches!(self.form, Form::Page)
     }
 
     /// The options with what was said about looks.
@@ -120,15 +109,15 @@ impl Target {
 
     /// Writes the figure there.
     pub(crate) fn write(&self, figure: &Figure, out: &mut Output) -> Result<(), Failure> {
-        let (path, bytes) = match &self.form {
-            Form::Stdout => return Ok(out.write_all(figure.to_svg().as_bytes())?),
-            Form::Svg(path) | Form::Page(path) => (path, figure.to_svg().into_bytes()),
-            Form::Tex(path) => (path, figure.to_tex().into_bytes()),
-            Form::Tikz(path) => (path, figure.to_tikz().into_bytes()),
-            Form::Pdf(path) => (path, pdf(figure, path)?),
-            Form::Png(path, scale) => (path, pixels(figure, path, *scale)?),
+        let path = self.path().unwrap_or("-".as_ref());
+        let bytes = match self.form {
+            Form::Svg | Form::Page => figure.to_svg().into_bytes(),
+            Form::Tex => figure.to_tex().into_bytes(),
+            Form::Tikz => figure.to_tikz().into_bytes(),
+            Form::Pdf => rendered(figure, path, None)?,
+            Form::Png(scale) => rendered(figure, path, Some(scale))?,
         };
-        super::save::put(path, bytes)
+        if self.path.is_some() { super::save::put(path, bytes) } else { Ok(out.write_all(&bytes)?) }
     }
 }
 
@@ -143,34 +132,23 @@ pub(crate) fn is_page(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ["html", "htm"].iter().any(|page| ending.eq_ignore_ascii_case(page)))
 }
 
+/// A figure as pixels, so many for each px, or as PDF.
 #[cfg(feature = "png")]
-fn pixels(figure: &Figure, path: &Path, scale: f64) -> Result<Vec<u8>, Failure> {
-    tell_strange(figure);
-    figure.to_png(scale).map_err(|error| Failure::about(path.display(), error))
-}
-
-#[cfg(feature = "png")]
-fn pdf(figure: &Figure, path: &Path) -> Result<Vec<u8>, Failure> {
-    tell_strange(figure);
-    figure.to_pdf().map_err(|error| Failure::about(path.display(), error))
-}
-
-#[cfg(feature = "png")]
-fn tell_strange(figure: &Figure) {
+fn rendered(figure: &Figure, path: &Path, scale: Option<f64>) -> Result<Vec<u8>, Failure> {
     let strange = figure.without_glyph();
     if !strange.is_empty() {
         super::failure::say("note", format_args!("boxes stand for what the bundled font does not have: {strange}"));
     }
+    let made = match scale {
+        Some(scale) => figure.to_png(scale).map_err(|error| error.to_string()),
+        None => figure.to_pdf().map_err(|error| error.to_string()),
+    };
+    made.map_err(|error| Failure::about(path.display(), error))
 }
 
 #[cfg(not(feature = "png"))]
-fn pixels(_: &Figure, path: &Path, _: f64) -> Result<Vec<u8>, Failure> {
+fn rendered(_: &Figure, path: &Path, _: Option<f64>) -> Result<Vec<u8>, Failure> {
     Err(not_built(path, "PNG", ""))
-}
-
-#[cfg(not(feature = "png"))]
-fn pdf(_: &Figure, path: &Path) -> Result<Vec<u8>, Failure> {
-    Err(not_built(path, "PDF", ""))
 }
 
 fn not_built(path: &Path, what: &str, more: &str) -> Failure {

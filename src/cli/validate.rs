@@ -52,7 +52,7 @@ struct Report {
     unchecked: Vec<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Fault {
     rule: &'static str,
     text: String,
@@ -104,7 +104,7 @@ impl Report {
             }
             _ => ("INPUT", text, Vec::new()),
         };
-        let fault = Fault { rule, text, elements, chain: Vec::new(), found: None, expected: None };
+        let fault = Fault { rule, text, elements, ..Fault::default() };
         Self { source, mode: None, valid: false, violations: vec![fault], unchecked: Vec::new() }
     }
 
@@ -165,9 +165,7 @@ impl Fault {
             rule: violation.rule().id,
             text: format!("{text}{}", lines(&vertices, subject)),
             elements,
-            chain: Vec::new(),
-            found: None,
-            expected: None,
+            ..Self::default()
         }
     }
 }

@@ -132,13 +132,8 @@ impl Places {
         let all = |subject: &Subject, ranks: &[u32]| -> Vec<_> {
             subject.vertices().map(|v| ([ranks[v.index()]; 2], v)).collect()
         };
-        let (missing, too_much) = apart(all(expected, &self.expected), all(mine, &self.mine));
-        let text = |subject: &Subject, v: VertexId, what: &str| Found {
-            kind: "vertex",
-            text: format!("{v}{} of {} is {what}", at(subject, Some(v)), subject.source),
-        };
-        let missing = missing.into_iter().map(|v| text(expected, v, "missing"));
-        missing.chain(too_much.into_iter().map(|v| text(mine, v, "too much"))).collect()
+        let text = |subject: &Subject, v: VertexId| format!("{v}{} of {}", at(subject, Some(v)), subject.source);
+        self.apart(mine, expected, "vertex", all, text)
     }
 
     fn edges_apart(&self, mine: &Subject, expected: &Subject) -> Vec<Found> {
@@ -152,16 +147,29 @@ impl Places {
             };
             half_edges(view).filter_map(edge).collect()
         };
-        let (missing, too_much) = apart(all(expected, &self.expected), all(mine, &self.mine));
-        let text = |subject: &Subject, h: HalfEdgeId, what: &str| {
+        let text = |subject: &Subject, h: HalfEdgeId| {
             let view = subject.view();
             let ends = [view.origin(h), view.twin(h).and_then(|twin| view.origin(twin))];
             let [from, to] =
                 ends.map(|v| format!("{}{}", v.map_or_else(String::new, |v| v.to_string()), at(subject, v)));
-            Found { kind: "edge", text: format!("the edge of {h} from {from} to {to} of {} is {what}", subject.source) }
+            format!("the edge of {h} from {from} to {to} of {}", subject.source)
         };
-        let missing = missing.into_iter().map(|h| text(expected, h, "missing"));
-        missing.chain(too_much.into_iter().map(|h| text(mine, h, "too much"))).collect()
+        self.apart(mine, expected, "edge", all, text)
+    }
+
+    /// What only one of them has, among all that each has by its places.
+    fn apart<T: Ord + Copy>(
+        &self,
+        mine: &Subject,
+        expected: &Subject,
+        kind: &'static str,
+        all: impl Fn(&Subject, &[u32]) -> Vec<([u32; 2], T)>,
+        text: impl Fn(&Subject, T) -> String,
+    ) -> Vec<Found> {
+        let (missing, too_much) = apart(all(expected, &self.expected), all(mine, &self.mine));
+        let missing = missing.into_iter().map(|one| format!("{} is missing", text(expected, one)));
+        let too_much = too_much.into_iter().map(|one| format!("{} is too much", text(mine, one)));
+        missing.chain(too_much).map(|text| Found { kind, text }).collect()
     }
 }
 

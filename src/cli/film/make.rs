@@ -3,14 +3,15 @@
 use super::algorithm::Algorithm;
 use super::{Args, Refused};
 use crate::Failure;
+use crate::input::refuse_object;
 use crate::navmesh::{PathFilm, path_film};
-use crate::solid::{check_finer, open_solid, points_in_space, refused};
+use crate::solid::{check_finer, direction, open_solid, points_in_space, refused};
 use crate::subject::{Kind, Subject};
 use dcel_kit::VertexId;
 use dcel_kit::figure::{SketchFilm, algorithms};
 use dcel_kit::io::{Document, ReadOptions, read_path, source_name};
 use dcel_kit::plane::{Point, Subdivision, TriangulateError};
-use dcel_kit::solid::{Direction, Selection};
+use dcel_kit::solid::Selection;
 use std::fmt::Display;
 
 /// The film that is asked for.
@@ -38,9 +39,10 @@ fn of_points(args: &Args) -> Result<SketchFilm, Failure> {
 
 fn of_segments(args: &Args) -> Result<SketchFilm, Failure> {
     let given = args.input.for_raw("the sweep looks at the segments as they are, and shows where they meet")?;
-    let read = read_path(&args.file, &ReadOptions { outlines: true, close_rings: true, ..given })?;
+    let options = ReadOptions { outlines: true, close_rings: true, ..given };
+    let read = read_path(&args.file, &options)?;
     let source = source_name(&args.file);
-    args.input.refuse_object(Some(read.format), &source)?;
+    refuse_object(options.object.as_deref(), Some(read.format), &source)?;
     let Document::Segments(soup) = &read.document else {
         let what = format!("{source}: {} holds no segments", read.format);
         return Err(Failure::input(what, "the sweep takes wkt, poly, segments, geojson and topojson"));
@@ -99,12 +101,7 @@ fn in_space(args: &Args) -> Result<SketchFilm, Refused> {
         return Ok(algorithms::catmull_clark(&solid, &Selection::new(), usize::from(steps))
             .map_err(|error| Failure::about(&source, error))?);
     }
-    let direction = Direction::try_from(args.about.direction.unwrap_or_default())
-        .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))?;
-    if <[f64; 3]>::from(direction).iter().all(|&x| x == 0.0) {
-        let what = "0,0,0 is no direction: all vertices lie equally far in it";
-        return Err(Failure::input(what, "for example: 0,0,1").into());
-    }
+    let direction = direction(args.about.direction.unwrap_or_default())?;
     let start = start(args, solid.vertices().next())?;
     solid.check(start).map_err(|error| Failure::input(format!("--start: {error}"), ""))?;
     let convex = solid.check_convex().map_err(|error| Refused {

@@ -1,7 +1,7 @@
 //! `dcel navmesh distances`: how far everything is from one place.
 
-use super::super::answer::fields;
-use super::super::output::{point as told, table};
+use super::super::answer::{fields, tell};
+use super::super::output::{names, point as told, table};
 use super::super::{Answer, Failure, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Snap, Wish};
@@ -10,8 +10,9 @@ use super::numbers::number;
 use super::reading::{Input, MapArgs};
 use super::routes::{ON_SIDES, from_each};
 use super::space;
-use super::tell::{faces, point};
+use super::tell::point;
 use dcel_kit::figure::navmesh::Floor;
+use dcel_kit::io::counted;
 use dcel_kit::navmesh::{DistanceField, Planner, Stop};
 use dcel_kit::{FaceId, VertexId};
 use std::io::Write;
@@ -110,27 +111,41 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let options = target.options(&map, &format!("Distances in {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).reach(field, &options), out)?;
     }
-    let row = |v: VertexId| {
-        let distance = field.distance(v)?;
-        Some(fields! { vertex: v.to_string(), point: map.in_file(map.mesh.point(v)), distance })
-    };
-    let answer = fields! {
-        source: map.source.clone(),
-        start: map.in_file(start),
-        start_moved: moved,
-        limit: args.limit,
-        vertices: (0..map.mesh.vertex_bound() as u32).map(VertexId::new).filter_map(row).collect::<Vec<_>>(),
-        // Of which every corner is within the limit.
-        faces: field.faces_within(&map.mesh).map(|f| f.to_string()).collect::<Vec<_>>(),
-    };
-    if args.json {
-        return out.json(&answer);
+    let vertices = (0..map.mesh.vertex_bound() as u32).map(VertexId::new);
+    let vertices = vertices.filter_map(|v| Some((v, map.in_file(map.mesh.point(v)), field.distance(v)?)));
+    let faces = field.faces_within(&map.mesh);
+    args.tell(&map.source, (map.in_file(start), moved), vertices, faces, "", out)
+}
+
+impl Args {
+    /// Tells how far vertices are, by their points in the file, and which faces have every corner within the limit.
+    pub(super) fn tell<const N: usize>(
+        &self,
+        source: &str,
+        (start, start_moved): ([f64; N], Option<f64>),
+        vertices: impl Iterator<Item = (VertexId, [f64; N], f64)>,
+        faces: impl Iterator<Item = FaceId>,
+        along: &str,
+        out: &mut Output,
+    ) -> Result<Answer, Failure> {
+        let vertex = |(v, p, distance): (VertexId, [f64; N], f64)| {
+            fields! { vertex: v.to_string(), point: p.to_vec(), distance }
+        };
+        let answer = fields! {
+            source,
+            start: start.to_vec(),
+            start_moved,
+            limit: self.limit,
+            vertices: vertices.map(vertex).collect::<Vec<_>>(),
+            faces: names(faces),
+        };
+        tell(&answer, self.json, out, |out| {
+            let within = self.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
+            let reached = counted(answer.faces.len(), "face", "faces");
+            let vertices = counted(answer.vertices.len(), "vertex", "vertices");
+            writeln!(out, "from {}: {vertices} and {reached} {within}{along}", told(&start))?;
+            let rows = answer.vertices.iter().map(|of| [of.vertex.clone(), told(&of.point), of.distance.to_string()]);
+            table(out, &rows.collect::<Vec<_>>())
+        })
     }
-    let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
-    let count = answer.vertices.len();
-    let (vertices, reached) = (if count == 1 { "vertex" } else { "vertices" }, faces(answer.faces.len()));
-    writeln!(out, "from {}: {count} {vertices} and {reached} {within}", point(&map, start))?;
-    let rows = answer.vertices.iter().map(|row| [row.vertex.clone(), told(&row.point), row.distance.to_string()]);
-    table(out, &rows.collect::<Vec<_>>())?;
-    Ok(Answer::Yes)
 }

@@ -72,6 +72,15 @@ impl Snap {
         }
     }
 
+    /// How `what` comes to the nearest place, `at`, which is further away than an end may be moved.
+    pub(super) fn help(&self, what: &str, at: &str, distance: f64) -> String {
+        let nearest = format!("the nearest place is {at}");
+        match self.snap {
+            Some(snap) => format!("{nearest}, {} away: more than --snap {}", Number(distance), Number(snap)),
+            None => format!("{nearest}; --snap {} moves the {what} there", Number(above(distance))),
+        }
+    }
+
     /// The places at a point, or the nearest one.
     pub(super) fn place(&self, map: &Map, p: Point, moves: &mut Moves) -> Result<Vec<QueryPoint>, QueryPointError> {
         map.mesh.places(p).or_else(|error| {
@@ -114,15 +123,7 @@ impl Snap {
         let is_off = !matches!(error, QueryPointError::NotInFace { .. });
         if let Some(near) = self.nearest(map, asked).filter(|_| is_off) {
             let Nearest { place, distance } = near;
-            say(
-                "note",
-                format_args!(
-                    "the {what} {why}; moved by {} to {} in {}",
-                    Number(distance),
-                    point(map, place.point),
-                    place.face
-                ),
-            );
+            tell_moved(&format!("{what} {why}"), distance, &point(map, place.point), place.face);
             return Ok(End { asked, places: vec![place], moved: Some(distance) });
         }
         let nearest = map.mesh.nearest_point(asked);
@@ -132,21 +133,16 @@ impl Snap {
             Some((_, face, _)) if !is_off => {
                 format!("leave --{what}-face out, or name a face at the point: {face} is the nearest")
             }
-            Some((at, face, distance)) => match self.snap {
-                Some(snap) => format!(
-                    "the nearest place is {at} in {face}, {} away: more than --snap {}",
-                    Number(distance),
-                    Number(snap)
-                ),
-                None => format!(
-                    "the nearest place is {at} in {face}; --snap {} moves the {what} there",
-                    Number(above(distance))
-                ),
-            },
+            Some((at, face, distance)) => self.help(what, &format!("{at} in {face}"), distance),
         };
         let failure = Failure::input(format!("{}: the {what} {why}", map.source), help);
         Err(Box::new(Lost { asked, nearest, failure }))
     }
+}
+
+/// Tells that an end was moved, and why.
+pub(super) fn tell_moved(why: &str, distance: f64, at: &str, face: FaceId) {
+    say("note", format_args!("the {why}; moved by {} to {at} in {face}", Number(distance)));
 }
 
 /// Of several places at the ends those of the shortest path. Tells which.

@@ -6,7 +6,7 @@ use super::drawing::{Drawing, save};
 use super::map::Map;
 use super::reading::{Draft, Input, MapArgs};
 use super::space;
-use super::tell::{Told, tell_helps};
+use super::tell::{Told, sizes, tell_helps};
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
@@ -129,7 +129,7 @@ fn refuse(args: &Args, format: &'static str, faults: Vec<Told>, out: &mut Output
         faults.iter().try_for_each(|fault| fault.print(out))?;
         tell_helps(&faults);
         let wrong = faults.iter().filter(|fault| !fault.warning).count();
-        writeln!(out, "{}: not a navmesh, {wrong} {}", args.map.source(), if wrong == 1 { "fault" } else { "faults" })?;
+        writeln!(out, "{}: not a navmesh, {}", args.map.source(), counted(wrong, "fault", "faults"))?;
     }
     Ok(Answer::No)
 }
@@ -169,27 +169,13 @@ impl Info {
         line("vertices", self.vertices.to_string())?;
         line("portals", self.portals.to_string())?;
         line("hole faces", self.hole_faces.to_string())?;
-        const SHOWN: usize = 10;
-        let sizes: Vec<String> = self.components.iter().take(SHOWN).map(ToString::to_string).collect();
-        let rest = if self.components.len() > SHOWN { ", ..." } else { "" };
-        let plural = if self.components == [1] { "face" } else { "faces" };
-        line(
-            "components",
-            match self.components.len() {
-                0 => "0, nothing is walkable".to_owned(),
-                count => format!("{count}, of {}{rest} {plural}", sizes.join(", ")),
-            },
-        )?;
-        line(
-            "dead ends",
-            format!(
-                "{} peeled, {} left",
-                counted(self.dead_ends, "face", "faces"),
-                self.faces - self.dead_ends - self.blocked_faces
-            ),
-        )?;
-        let reduced_corridors = if self.reduced_corridors == 1 { "reduced corridor" } else { "reduced corridors" };
-        line("junctions", format!("{}, and {} {reduced_corridors}", self.junctions, self.reduced_corridors))?;
+        let nothing = self.components.is_empty();
+        line("components", if nothing { "0, nothing is walkable".to_owned() } else { sizes(&self.components) })?;
+        let (peeled, left) =
+            (counted(self.dead_ends, "face", "faces"), self.faces - self.dead_ends - self.blocked_faces);
+        line("dead ends", format!("{peeled} peeled, {left} left"))?;
+        let reduced = counted(self.reduced_corridors, "reduced corridor", "reduced corridors");
+        line("junctions", format!("{}, and {reduced}", self.junctions))?;
         line("area", Number(self.area).to_string())?;
         if self.blocked_faces > 0 {
             let blocked = counted(self.blocked_faces, "face", "faces");

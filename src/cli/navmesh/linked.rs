@@ -6,7 +6,7 @@ use super::super::{Answer, Failure, Output};
 use super::ends::{End, Wish, choose_side};
 use super::extras::Links;
 use super::map::Map;
-use super::routes::{Linked, tell_linked};
+use super::routes::tell_linked;
 use super::tell::{Spot, point};
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, PathAlgorithm, Planner, QueryPoint, Stop};
@@ -30,7 +30,7 @@ pub(super) fn run(
         Err(error) => return Err(Failure::about(&map.source, error)),
     };
     let moved = ends.each_ref().map(|end| end.moved);
-    let ends = choose_side(map, wishes, ends, || pair);
+    let places = choose_side(map, wishes, ends, || pair);
     let legs = |path: &LinkedRoute| {
         let leg = |route: &dcel_kit::navmesh::Route| {
             let points: Vec<[f64; 2]> = route.points.iter().map(|&p| map.in_file(p)).collect();
@@ -40,20 +40,11 @@ pub(super) fn run(
         };
         path.legs.iter().map(|of| leg(&of.route)).collect()
     };
-    let numbers = path.as_ref().map_or_else(Vec::new, |path| links.numbers(&path.links));
-    let linked = path.as_ref().map(|path| Linked { cost: path.cost, legs: legs(path), links: &numbers });
-    let between = |ends: [QueryPoint; 2]| ends.map(|place| point(map, place.point));
-    let link = |number: usize| {
-        links.first_side(number).map_or_else(String::new, |link| {
-            let [from, to] = between([link.from.place, link.to.place]);
-            format!("{from} -> {to}, costs {}", link.cost)
-        })
-    };
-    let none = || {
-        let [from, to] = between(ends);
-        format!("the map nor the links lead from {from} to {to}")
-    };
-    let spots = ends.map(|place| Spot::of(map, place.point, place.location));
-    let answer = tell_linked((&map.source, json), algorithm, (spots, moved), linked.as_ref(), (link, none), out)?;
+    let told = |ends: [QueryPoint; 2]| ends.map(|place| point(map, place.point));
+    let link = |link: &Link| (told([link.from.place, link.to.place]), link.cost);
+    let spots = places.map(|place| Spot::of(map, place.point, place.location));
+    let told_path = path.as_ref().map(|path| (path.cost, legs(path), &path.links[..]));
+    let (ends, how) = ((spots, moved), (&*map.source, json));
+    let answer = tell_linked(how, algorithm, ends, told_path, (links, link), ("map", told(places)), out)?;
     Ok((answer, path))
 }

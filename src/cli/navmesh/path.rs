@@ -8,7 +8,7 @@ use super::extras::{Extras, Links};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
-use super::routes::{Row, answer, print};
+use super::routes::{Row, answer, compared, print};
 use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
@@ -242,9 +242,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(target) = &target {
         draw(args, &maps, &planner, &routes, target, out)?;
     }
-    let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
-    let rows: Vec<Row> =
-        routes.iter().map(|(algorithm, route)| row(map, *algorithm, route, exact, costs.as_ref())).collect();
+    let row = |(algorithm, route): &(PathAlgorithm, Route)| row(map, *algorithm, route, costs.as_ref());
+    let rows = compared(routes.iter().map(row).collect());
     let answer = maps.answer([start, goal], moved, None::<()>, &rows);
     tell(&answer, args.json, out, |out| print(&rows, out))
 }
@@ -421,11 +420,11 @@ fn apart(
     Ok(Answer::No)
 }
 
-fn row(map: &Map, algorithm: PathAlgorithm, route: &Route, exact: Option<f64>, costs: Option<&FaceMap<f64>>) -> Row {
+fn row(map: &Map, algorithm: PathAlgorithm, route: &Route, costs: Option<&FaceMap<f64>>) -> Row {
     Row {
         cost: costs.map(|costs| map.mesh.cost_along(route, costs)),
         points: route.points.iter().map(|&p| map.in_file(p).to_vec()).collect(),
         portals: Some(route.portals.iter().map(ToString::to_string).collect()),
-        ..Row::new(algorithm, route.length, exact, (&route.corners, &route.faces), route.work)
+        ..Row::new(algorithm, route.length, (&route.corners, &route.faces), route.work)
     }
 }

@@ -2,9 +2,11 @@
 
 use super::super::answer::fields;
 use super::super::choice::whole;
+use super::super::output::names;
 use super::super::{Answer, Failure, Output};
 use super::reading::{Input, MapArgs};
-use super::space;
+use dcel_kit::navmesh::QueryPoint;
+use serde::Serialize;
 use std::io::Write;
 
 /// Give points at random where one can stand, every part of the map as often as its area says
@@ -34,26 +36,34 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
-        Input::Space(ground) => return space::random::run(&ground, (args.seed, args.count), args.json, out),
+        Input::Space(ground) => {
+            let places = ground.surface.random_places(args.seed).map(|place| ground.spot(&place));
+            return tell(args, &ground.source, places, |spot| spot.point.to_vec(), out);
+        }
     };
     let map = args.map.open_draft(draft, &[])?;
-    let mut places = map.mesh.random_places(args.seed).take(args.count).peekable();
-    if args.count > 0 && places.peek().is_none() {
-        return Err(nothing_walkable(&map.source));
-    }
-    if args.json {
-        let found = places.map(|place| fields! { point: map.in_file(place.point), face: place.face.to_string() });
-        return out.json(&found.collect::<Vec<_>>());
-    }
-    for place in places {
-        let [x, y] = map.in_file(place.point);
-        writeln!(out, "{x} {y}")?;
-    }
-    Ok(Answer::Yes)
+    let place = |place: QueryPoint| fields! { point: map.in_file(place.point), face: place.face.to_string() };
+    tell(args, &map.source, map.mesh.random_places(args.seed).map(place), |place| place.point.to_vec(), out)
 }
 
-/// Why there is no point at random.
-pub(super) fn nothing_walkable(source: &str) -> Failure {
-    let what = format!("{source}: nothing is walkable, so there is no point to give");
-    Failure::input(what, "dcel navmesh info tells what is blocked: leave out what blocks it")
+/// Tells the first of these places.
+fn tell<S: Serialize>(
+    args: &Args,
+    source: &str,
+    places: impl Iterator<Item = S>,
+    point: impl Fn(&S) -> Vec<f64>,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let mut places = places.take(args.count).peekable();
+    if args.count > 0 && places.peek().is_none() {
+        let what = format!("{source}: nothing is walkable, so there is no point to give");
+        return Err(Failure::input(what, "dcel navmesh info tells what is blocked: leave out what blocks it"));
+    }
+    if args.json {
+        return out.json(&places.collect::<Vec<_>>());
+    }
+    for place in places {
+        writeln!(out, "{}", names(point(&place)).join(" "))?;
+    }
+    Ok(Answer::Yes)
 }

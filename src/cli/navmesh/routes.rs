@@ -4,6 +4,7 @@ use super::super::answer::fields;
 use super::super::failure::say;
 use super::super::output::{names, point, table};
 use super::super::{Answer, Failure, Output};
+use super::extras::Links;
 use super::tell::faces;
 use dcel_kit::io::counted;
 use dcel_kit::navmesh::{PathAlgorithm, Work};
@@ -36,11 +37,10 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// What paths of all kinds have; `exact` is the length of the exact one.
+    /// What paths of all kinds have.
     pub(super) fn new(
         algorithm: PathAlgorithm,
         length: f64,
-        exact: Option<f64>,
         (corners, faces): (&[VertexId], &[FaceId]),
         work: Work,
     ) -> Self {
@@ -48,7 +48,7 @@ impl Row {
             algorithm: algorithm.name(),
             length,
             cost: None,
-            ratio: exact.filter(|&exact| exact > 0.0).map(|exact| length / exact),
+            ratio: None,
             points: Vec::new(),
             layers: None,
             corners: names(corners),
@@ -87,6 +87,15 @@ impl Row {
         writeln!(out, "  {:<8}{} taken from the queue, {entered}", "work", self.pops)?;
         Ok(())
     }
+}
+
+/// These paths, each with how much longer it is than the exact one, if that is among them.
+pub(super) fn compared(mut rows: Vec<Row>) -> Vec<Row> {
+    let exact = rows.iter().find(|row| row.algorithm == PathAlgorithm::Exact.name()).map(|row| row.length);
+    for row in &mut rows {
+        row.ratio = exact.filter(|&exact| exact > 0.0).map(|exact| row.length / exact);
+    }
+    rows
 }
 
 /// Tells the paths: one in full, several as a table.
@@ -199,42 +208,37 @@ pub(super) fn choose<P: Copy>(
     [starts[i], goals[k]]
 }
 
-/// A path over links, as it is told.
-pub(super) struct Linked<'a, L> {
-    /// What its legs and links cost.
-    pub(super) cost: f64,
-    /// The legs, and each in words.
-    pub(super) legs: Vec<(L, String)>,
-    /// Between the legs, by their order on the command line, from 0.
-    pub(super) links: &'a [usize],
-}
-
-/// Tells a path over links, if there is one: else there is none `from ... to ...`. A link is named by its ends.
-pub(super) fn tell_linked<L: Serialize, S: Serialize>(
+/// Tells a path over links, if there is one: what its legs and links cost, the legs, each in words, too, and the links, by
+/// their sides. `ends` are those of a link, `between` those of the path, `ground` is what was searched.
+pub(super) fn tell_linked<L: Serialize, S: Serialize, K>(
     (source, json): (&str, bool),
     algorithm: PathAlgorithm,
     ([start, goal], [start_moved, goal_moved]): ([S; 2], [Option<f64>; 2]),
-    path: Option<&Linked<'_, L>>,
-    (link, none): (impl Fn(usize) -> String, impl FnOnce() -> String),
+    path: Option<(f64, Vec<(L, String)>, &[usize])>,
+    (links, ends): (&Links<K>, impl Fn(&K) -> ([String; 2], f64)),
+    (ground, between): (&str, [String; 2]),
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    let answer = if path.is_some() { Answer::Yes } else { Answer::No };
+    let found = path.is_some();
+    let answer = if found { Answer::Yes } else { Answer::No };
+    let numbers = path.as_ref().map_or_else(Vec::new, |&(.., sides)| links.numbers(sides));
+    let cost = path.as_ref().map(|&(cost, ..)| cost);
+    let (legs, words): (Vec<L>, Vec<String>) = path.into_iter().flat_map(|(_, legs, _)| legs).unzip();
     if json {
-        let legs: Vec<&L> = path.iter().flat_map(|path| &path.legs).map(|(leg, _)| leg).collect();
-        let (cost, links) = (path.map(|path| path.cost), path.map_or(&[][..], |path| path.links));
-        let algorithm = algorithm.name();
-        let found = path.is_some();
+        let (algorithm, links) = (algorithm.name(), numbers);
         out.json(&fields! { source, algorithm, start, goal, start_moved, goal_moved, found, cost, legs, links })?;
         return Ok(answer);
     }
-    let Some(Linked { cost, legs, links }) = path else {
-        writeln!(out, "no path: neither {}", none())?;
+    let Some(cost) = cost else {
+        let [from, to] = between;
+        writeln!(out, "no path: neither the {ground} nor the links lead from {from} to {to}")?;
         return Ok(answer);
     };
-    writeln!(out, "{algorithm}: {cost}, over {}", counted(links.len(), "link", "links"))?;
-    for (i, (_, leg)) in legs.iter().enumerate() {
-        if let Some(&before) = i.checked_sub(1).and_then(|before| links.get(before)) {
-            writeln!(out, "  link    {}", link(before))?;
+    writeln!(out, "{algorithm}: {cost}, over {}", counted(numbers.len(), "link", "links"))?;
+    for (i, leg) in words.iter().enumerate() {
+        let before = i.checked_sub(1).and_then(|before| links.first_side(*numbers.get(before)?));
+        if let Some(([from, to], cost)) = before.map(&ends) {
+            writeln!(out, "  link    {from} -> {to}, costs {cost}")?;
         }
         writeln!(out, "  leg     {leg}")?;
     }

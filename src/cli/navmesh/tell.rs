@@ -4,7 +4,7 @@ use super::super::Output;
 use super::super::failure::say;
 use super::super::output;
 use super::map::{Frame, Map};
-use dcel_kit::io::PolygonSoup;
+use dcel_kit::io::{PolygonSoup, counted};
 use dcel_kit::navmesh::{FaultNames, Location, MeshFault, QueryPointError, RouteError};
 use dcel_kit::plane::{self, Point};
 use serde::Serialize;
@@ -52,7 +52,16 @@ pub(super) fn point(map: &Map, p: Point) -> String {
 
 /// `1 face`, `2 faces`.
 pub(super) fn faces(count: usize) -> String {
-    format!("{count} {}", if count == 1 { "face" } else { "faces" })
+    counted(count, "face", "faces")
+}
+
+/// How many components there are, and how many faces the largest have: `2, of 14, 3 faces`.
+pub(super) fn sizes(components: &[usize]) -> String {
+    const SHOWN: usize = 10;
+    let shown = output::names(components.iter().take(SHOWN)).join(", ");
+    let rest = if components.len() > SHOWN { ", ..." } else { "" };
+    let plural = if components == [1] { "face" } else { "faces" };
+    format!("{}, of {shown}{rest} {plural}", components.len())
 }
 
 /// Why one cannot stand at a point of the file, with its numbers.

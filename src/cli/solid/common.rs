@@ -9,7 +9,7 @@ use crate::save::{Files, InPlace, save_as};
 use crate::subject::Kind;
 use crate::{Answer, Output};
 use dcel_kit::io::{Document, Format, Model, ReadOptions, ReadProblem, read_path, source_name};
-use dcel_kit::solid::{PartCounts, Polyhedron};
+use dcel_kit::solid::{Direction, PartCounts, Polyhedron};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -131,6 +131,15 @@ pub(super) fn check_size(name: &str, elements: usize, help: &str) -> Result<(), 
 /// A vector from the command line: `1,-2,0.5`.
 pub(crate) fn vector(text: &str) -> Result<[f64; 3], String> {
     numbers(text).ok_or_else(|| "write three numbers with commas between, for example 1,-2,0.5".to_owned())
+}
+
+/// A direction in which some vertices can lie further than others.
+pub(crate) fn direction(numbers: [f64; 3]) -> Result<Direction, Failure> {
+    if numbers == [0.0; 3] {
+        return Err(Failure::input("0,0,0 is no direction: all vertices lie equally far in it", "for example: 0,0,1"));
+    }
+    Direction::try_from(numbers)
+        .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))
 }
 
 /// Splits `what; help` as errors of the kit write it.

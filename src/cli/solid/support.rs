@@ -1,12 +1,11 @@
 //! `dcel solid support`: the vertex furthest in a direction, and the way there.
 
-use super::common::{open, refused, vector};
+use super::common::{direction, open, refused, vector};
 use crate::answer::fields;
 use crate::input::InputOptions;
 use crate::output::point;
 use crate::{Answer, Failure, Output};
 use dcel_kit::ids::VertexId;
-use dcel_kit::solid::Direction;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -37,11 +36,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let direction = Direction::try_from(args.direction)
-        .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))?;
-    if args.direction.iter().all(|&x| x == 0.0) {
-        return Err(Failure::input("0,0,0 is no direction: all vertices lie equally far in it", "for example: 0,0,1"));
-    }
+    let direction = direction(args.direction)?;
     let solid = open(&args.file, &args.input)?;
     let start = match args.from {
         Some(v) => {

@@ -1,17 +1,15 @@
 //! `dcel navmesh distances` on a floor whose heights differ.
 
-use super::super::super::answer::fields;
-use super::super::super::output::{point as told, table};
+use super::super::super::output::point as told;
 use super::super::super::{Answer, Failure, Output};
 use super::super::distances::Args;
 use super::super::drawing::{Canvas, save};
 use super::super::routes::{WHERE_FACES_TOUCH, from_each};
 use super::{End, Ground, Wish};
-use dcel_kit::VertexId;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::navmesh::{SurfacePlanner, SurfacePoint};
+use dcel_kit::{FaceId, VertexId};
 use std::collections::BTreeMap;
-use std::io::Write;
 
 pub(in super::super) fn run(
     ground: &Ground,
@@ -43,29 +41,8 @@ pub(in super::super) fn run(
         save(target, Storeys::new(surface).reach(&field, &start, &options), out)?;
     }
     let vertices: BTreeMap<VertexId, [f64; 3]> = surface.faces().flat_map(|f| surface.vertices(f)).collect();
-    let row = |(&v, &p): (&VertexId, &[f64; 3])| {
-        Some(fields! { vertex: v.to_string(), point: ground.in_file(p), distance: field.distance(v)? })
-    };
-    let is_within = |f: &dcel_kit::FaceId| surface.vertices(*f).all(|(v, _)| field.distance(v).is_some());
-    let answer = fields! {
-        source: &ground.source,
-        start: ground.in_file(start.point),
-        start_moved: moved,
-        limit: args.limit,
-        vertices: vertices.iter().filter_map(row).collect::<Vec<_>>(),
-        // Of which every corner is within the limit.
-        faces: surface.faces().filter(is_within).map(|f| f.to_string()).collect::<Vec<_>>(),
-    };
-    if args.json {
-        return out.json(&answer);
-    }
-    let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
-    let count = answer.vertices.len();
-    let (plural, reached) =
-        (if count == 1 { "vertex" } else { "vertices" }, super::super::tell::faces(answer.faces.len()));
-    writeln!(out, "from {}: {count} {plural} and {reached} {within}, along the surface", told(&answer.start))?;
-    let rows: Vec<_> =
-        answer.vertices.iter().map(|row| [row.vertex.clone(), told(&row.point), row.distance.to_string()]).collect();
-    table(out, &rows)?;
-    Ok(Answer::Yes)
+    let vertices = vertices.into_iter().filter_map(|(v, p)| Some((v, ground.in_file(p), field.distance(v)?)));
+    let is_within = |f: &FaceId| surface.vertices(*f).all(|(v, _)| field.distance(v).is_some());
+    let start = (ground.in_file(start.point), moved);
+    args.tell(&ground.source, start, vertices, surface.faces().filter(is_within), ", along the surface", out)
 }

@@ -3,7 +3,7 @@
 use super::super::super::answer::fields;
 use super::super::super::{Answer, Failure, Output};
 use super::super::drawing::{Canvas, save};
-use super::super::tell::Told;
+use super::super::tell::{Told, sizes};
 use super::Ground;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::io::{Number, counted};
@@ -72,11 +72,7 @@ pub(in super::super) fn run(
             format!("{}, heights {}", counted(layer.faces, "face", "faces"), between(layer.heights)),
         )?;
     }
-    const SHOWN: usize = 10;
-    let sizes: Vec<String> = info.components.iter().take(SHOWN).map(ToString::to_string).collect();
-    let rest = if info.components.len() > SHOWN { ", ..." } else { "" };
-    let plural = if info.components == [1] { "face" } else { "faces" };
-    line("components", format!("{}, of {}{rest} {plural}", info.components.len(), sizes.join(", ")))?;
+    line("components", sizes(&info.components))?;
     line("area", format!("{} along the surface", Number(info.area)))?;
     info.faults.iter().try_for_each(|fault| fault.print(out))?;
     Ok(Answer::Yes)

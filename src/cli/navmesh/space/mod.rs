@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   path ── distances ── locate ── info      the commands that know them; lengths are along the surface
-//!   raycast ── random
+//!   raycast
 //! ```
 //!
 //! Points are given by the two axes that lie flat, or by all three, as the file has them; they are told by all three.
@@ -11,17 +11,15 @@ pub(super) mod distances;
 pub(super) mod info;
 pub(super) mod locate;
 pub(super) mod path;
-pub(super) mod random;
 pub(super) mod raycast;
 
-use super::super::failure::{Failure, say};
+use super::super::failure::Failure;
 use super::super::output::point as told;
 use super::areas::{Area, Faces, Names, middle};
 use super::drawing::Canvas;
-use super::ends::Snap;
-use super::numbers::above;
+use super::ends::{Snap, tell_moved};
 use dcel_kit::figure::FigureOptions;
-use dcel_kit::io::{Axis, Format, Number, PolygonSoup};
+use dcel_kit::io::{Axis, Format, PolygonSoup};
 use dcel_kit::navmesh::{Floor, MeshFault, NavSurface, SurfaceError, SurfacePoint, SurfacePointError};
 use dcel_kit::plane::Point;
 use dcel_kit::{FaceId, FaceMap};
@@ -183,18 +181,10 @@ impl Ground {
         if let Some((place, distance)) = nearest {
             let at = self.told(place.point);
             if snap.limit().is_some_and(|limit| distance <= limit) {
-                let face = place.face;
-                say("note", format_args!("the {what} {why}; moved by {} to {at} in {face}", Number(distance)));
+                tell_moved(&format!("{what} {why}"), distance, &at, place.face);
                 return Ok(End { places: vec![place], moved: Some(distance) });
             }
-            let help = match snap.limit() {
-                Some(limit) => {
-                    format!("the nearest place is {at}, {} away: more than --snap {}", Number(distance), Number(limit))
-                }
-                None => {
-                    format!("the nearest place is {at}; --snap {} moves the {what} there", Number(above(distance)))
-                }
-            };
+            let help = snap.help(what, &at, distance);
             return Err(Failure::input(format!("{}: the {what} {why}", self.source), help));
         }
         let is_nowhere = matches!(error, SurfacePointError::Off { .. });

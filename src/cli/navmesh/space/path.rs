@@ -6,7 +6,7 @@ use super::super::super::{Answer, Failure, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::extras::Links;
 use super::super::path::Args;
-use super::super::routes::{Linked, Row, WHERE_FACES_TOUCH, answer, choose, print, tell_linked};
+use super::super::routes::{Row, WHERE_FACES_TOUCH, answer, choose, compared, print, tell_linked};
 use super::super::tell::faces;
 use super::{End, Ground, Wish, points_of};
 use dcel_kit::FaceMap;
@@ -57,9 +57,8 @@ pub(in super::super) fn run(
     }
     let paths: Vec<&SurfaceRoute> = routes.last().map(|(_, route)| route).into_iter().collect();
     draw(ground, (args, target), &paths, &[start, goal], out)?;
-    let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
-    let rows: Vec<Row> =
-        routes.iter().map(|(algorithm, route)| row(ground, *algorithm, route, exact, costs.as_ref())).collect();
+    let row = |(algorithm, route): &(PathAlgorithm, SurfaceRoute)| row(ground, *algorithm, route, costs.as_ref());
+    let rows = compared(routes.iter().map(row).collect());
     let ends = [start, goal].map(|place| ground.spot(&place));
     let answer = answer(&ground.source, None, ends, moved, None::<()>, &rows);
     tell(&answer, args.json, out, |out| print(&rows, out))
@@ -135,39 +134,21 @@ fn linked(
     let leg = |leg: &SurfaceRoute| {
         let points: Vec<String> = leg.points.iter().map(|&p| ground.told(p)).collect();
         let cost = costs.map(|_| format!(", costs {}", leg.cost)).unwrap_or_default();
-        (row(ground, algorithm, leg, None, costs), format!("{}, {} long{cost}", points.join(" "), leg.length))
+        (row(ground, algorithm, leg, costs), format!("{}, {} long{cost}", points.join(" "), leg.length))
     };
-    let numbers = path.as_ref().map_or_else(Vec::new, |path| links.numbers(&path.links));
-    let linked = path.as_ref().map(|path| {
-        let legs = path.legs.iter().map(leg).collect();
-        Linked { cost: path.cost, legs, links: &numbers }
-    });
     let between = |ends: [SurfacePoint; 2]| ends.map(|place| ground.told(place.point));
-    let link = |number: usize| {
-        links.first_side(number).map_or_else(String::new, |link| {
-            let [from, to] = between([link.from, link.to]);
-            format!("{from} -> {to}, costs {}", link.cost)
-        })
-    };
-    let none = || {
-        let [from, to] = between([start, goal]);
-        format!("the surface nor the links lead from {from} to {to}")
-    };
+    let link = |link: &SurfaceLink| (between([link.from, link.to]), link.cost);
     let spots = [start, goal].map(|place| ground.spot(&place));
-    tell_linked((&ground.source, args.json), algorithm, (spots, moved), linked.as_ref(), (link, none), out)
+    let path = path.as_ref().map(|path| (path.cost, path.legs.iter().map(leg).collect(), &path.links[..]));
+    let (ends, how) = ((spots, moved), (&*ground.source, args.json));
+    tell_linked(how, algorithm, ends, path, (links, link), ("surface", between([start, goal])), out)
 }
 
-fn row(
-    ground: &Ground,
-    algorithm: PathAlgorithm,
-    route: &SurfaceRoute,
-    exact: Option<f64>,
-    costs: Option<&FaceMap<f64>>,
-) -> Row {
+fn row(ground: &Ground, algorithm: PathAlgorithm, route: &SurfaceRoute, costs: Option<&FaceMap<f64>>) -> Row {
     Row {
         cost: costs.map(|_| route.cost),
         points: route.points.iter().map(|&p| ground.in_file(p).to_vec()).collect(),
         layers: Some(route.layers.clone()),
-        ..Row::new(algorithm, route.length, exact, (&route.corners, &route.faces), route.work)
+        ..Row::new(algorithm, route.length, (&route.corners, &route.faces), route.work)
     }
 }
