@@ -9,22 +9,13 @@
 //! runs counter-clockwise, the interior ones clockwise. Names and hole faces are not geometry and stay behind; so do
 //! isolated vertices.
 
+use crate::geometry::places::first_at_each_place;
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::plane::{ConvertError, ConvertOptions, Point, SegmentsError, Subdivision, is_counter_clockwise};
 use crate::topology::PolygonList;
 use ::geo_types::{Coord, LineString, MultiLineString, MultiPolygon, Point as GeoPoint, Polygon};
 
-impl From<Coord<f64>> for Point {
-    fn from(c: Coord<f64>) -> Self {
-        Self::new(c.x, c.y)
-    }
-}
-
-impl From<Point> for Coord<f64> {
-    fn from(p: Point) -> Self {
-        Self { x: p.x, y: p.y }
-    }
-}
+as_xy!(Coord<f64>);
 
 impl From<GeoPoint<f64>> for Point {
     fn from(p: GeoPoint<f64>) -> Self {
@@ -77,20 +68,7 @@ impl Joined {
     fn new(corners: impl Iterator<Item = Coord<f64>>) -> Self {
         // -0 + 0 = 0: the two zeros are one coordinate.
         let corners: Vec<Point> = corners.map(|c| Point::new(c.x + 0.0, c.y + 0.0)).collect();
-        let by_place = |&i: &u32, &j: &u32| {
-            let (p, q) = (corners[i as usize], corners[j as usize]);
-            p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(i.cmp(&j))
-        };
-        let mut order: Vec<u32> = (0..corners.len() as u32).collect();
-        order.sort_unstable_by(by_place);
-        // The first corner at the place of each.
-        let mut first: Vec<u32> = (0..corners.len() as u32).collect();
-        for pair in order.windows(2) {
-            let [i, j] = [pair[0], pair[1]].map(|i| i as usize);
-            if corners[i] == corners[j] {
-                first[j] = first[i];
-            }
-        }
+        let (first, _) = first_at_each_place(&corners);
         let (mut points, mut numbers) = (Vec::new(), vec![0; corners.len()]);
         for (i, &corner) in corners.iter().enumerate() {
             numbers[i] = if first[i] as usize == i {

@@ -3,17 +3,7 @@
 use crate::plane::Point;
 use ::glam::{DVec2, Vec2};
 
-impl From<DVec2> for Point {
-    fn from(p: DVec2) -> Self {
-        Self::new(p.x, p.y)
-    }
-}
-
-impl From<Point> for DVec2 {
-    fn from(p: Point) -> Self {
-        Self::new(p.x, p.y)
-    }
-}
+as_xy!(DVec2);
 
 /// Exact: every `f32` is an `f64`. The way back would round, and is left to the caller: `DVec2::from(p).as_vec2()`.
 impl From<Vec2> for Point {

@@ -54,6 +54,24 @@ assert!(error.to_string().contains("h0.next = h0"), "{error}");
 "##
 )]
 
+/// Types with x and y, both ways.
+#[cfg(any(feature = "geo-types", feature = "glam", feature = "mint"))]
+macro_rules! as_xy {
+    ($($theirs:ty),*) => {$(
+        impl From<$theirs> for crate::plane::Point {
+            fn from(p: $theirs) -> Self {
+                Self::new(p.x, p.y)
+            }
+        }
+
+        impl From<crate::plane::Point> for $theirs {
+            fn from(p: crate::plane::Point) -> Self {
+                Self { x: p.x, y: p.y }
+            }
+        }
+    )*};
+}
+
 #[cfg(feature = "geo-types")]
 mod geo_types;
 #[cfg(feature = "glam")]
