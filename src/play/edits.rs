@@ -86,7 +86,14 @@ impl<S: Editable> Workshop<S> {
 
     /// How many edits led here.
     pub(super) fn edit_count(&self) -> usize {
-        self.entries.iter().filter(|entry| matches!(entry, Entry::Edit { .. })).count()
+        self.calls().count()
+    }
+
+    fn calls(&self) -> impl Iterator<Item = &Call<S>> {
+        self.entries.iter().filter_map(|entry| match entry {
+            Entry::Edit { call, .. } => Some(call),
+            Entry::Line { .. } => None,
+        })
     }
 
     /// Makes an edit. What was undone cannot be made again after it.
@@ -302,32 +309,21 @@ impl<S: Editable> Workshop<S> {
 
     /// The edits from one on, each with the structure after it: for a film. First the structure before them.
     pub(super) fn replay(&self, last: usize) -> (S, Vec<(Call<S>, Journal, S)>) {
-        let edits: Vec<&Call<S>> = self
-            .entries
-            .iter()
-            .filter_map(|entry| match entry {
-                Entry::Edit { call, .. } => Some(call),
-                Entry::Line { .. } => None,
-            })
-            .collect();
-        let from = edits.len().saturating_sub(last);
-        let mut state = self.start.clone();
-        let mut shots = Vec::new();
-        let mut before = state.clone();
-        for (i, call) in edits.into_iter().enumerate() {
-            if i == from {
-                before = state.clone();
-            }
+        let edits: Vec<&Call<S>> = self.calls().collect();
+        let (first, shown) = edits.split_at(edits.len().saturating_sub(last));
+        let mut before = self.start.clone();
+        for call in first {
+            let made = call.apply(&mut before, &mut S::Log::default());
+            debug_assert!(made.is_ok(), "it was made before");
+        }
+        let mut state = before.clone();
+        let shot = |&call: &&Call<S>| {
             let mut log = S::Log::default();
             let made = call.apply(&mut state, &mut log);
             debug_assert!(made.is_ok(), "it was made before");
-            if i >= from {
-                shots.push((call.clone(), S::pointers(log), state.clone()));
-            }
-        }
-        if shots.is_empty() {
-            before = state;
-        }
+            (call.clone(), S::pointers(log), state.clone())
+        };
+        let shots = shown.iter().map(shot).collect();
         (before, shots)
     }
 }

@@ -9,7 +9,11 @@ const LONGEST: usize = 60;
 const EDGES: usize = 400;
 
 /// The page that plays the last edits; says so if there were more.
-pub(super) fn page<S: Filmed>(workshop: &Workshop<S>, last: usize, title: &str) -> Result<(String, String), String> {
+pub(super) fn page<S: Filmed>(
+    workshop: &Workshop<S>,
+    last: usize,
+    title: &str,
+) -> Result<(String, Option<String>), String> {
     if workshop.edit_count() == 0 {
         return Err("there is no edit to play yet: make one".to_owned());
     }
@@ -25,10 +29,6 @@ pub(super) fn page<S: Filmed>(workshop: &Workshop<S>, last: usize, title: &str) 
     }
     let page = film.page(&FigureOptions::new(title)).map_err(|error| error.to_string())?;
     let left_out = workshop.edit_count() - shots.len();
-    let note = if left_out > 0 && last == LONGEST {
-        format!("the last {} of {} edits are in the film", shots.len(), workshop.edit_count())
-    } else {
-        String::new()
-    };
-    Ok((page, note))
+    let note = || format!("the last {} of {} edits are in the film", shots.len(), workshop.edit_count());
+    Ok((page, (left_out > 0 && last == LONGEST).then(note)))
 }

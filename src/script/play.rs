@@ -187,7 +187,7 @@ impl<G: Editable> Script<G> {
             gone: BTreeMap::new(),
         };
         for (statement, said) in self.statements.iter().enumerate() {
-            let outcome = stage.act(said);
+            let outcome = stage.act(said).unwrap_or_else(|reason| Outcome::Refused { edit: None, reason });
             if watch(Step { statement, outcome }, &stage.ground).is_break() {
                 break;
             }
@@ -214,11 +214,7 @@ struct Stage<G> {
 }
 
 impl<G: Editable> Stage<G> {
-    fn act(&mut self, said: &Statement) -> Outcome<Call<G>> {
-        self.try_act(said).unwrap_or_else(|reason| Outcome::Refused { edit: None, reason })
-    }
-
-    fn try_act(&mut self, said: &Statement) -> Result<Outcome<Call<G>>, Refusal> {
+    fn act(&mut self, said: &Statement) -> Result<Outcome<Call<G>>, Refusal> {
         Ok(match &said.action {
             Action::Edit { row, arguments, name } => {
                 let resolved = arguments.iter().map(|value| match value {

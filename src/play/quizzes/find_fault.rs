@@ -58,14 +58,9 @@ impl FindFault {
         format!("One pointer in these tables is wrong. Find it, and click its cell.{help}")
     }
 
-    /// What is broken, where the level tells it.
-    pub(super) fn faults(&self) -> Vec<Message> {
-        if self.level == 1 { self.all_faults() } else { Vec::new() }
-    }
-
-    /// What is broken.
-    pub(super) fn all_faults(&self) -> Vec<Message> {
-        faults(&self.table)
+    /// What is broken, once the answer is given or where the level tells it.
+    pub(super) fn faults(&self, answered: bool) -> Vec<Message> {
+        if answered || self.level == 1 { faults(&self.table) } else { Vec::new() }
     }
 
     /// A pointer is the right answer if it alone, led elsewhere, mends everything.

@@ -115,8 +115,7 @@ impl Round {
     /// Broken invariants that may be seen.
     pub(super) fn faults(&self) -> Vec<Message> {
         match &self.task {
-            Task::FindFault(task) if self.answered => task.all_faults(),
-            Task::FindFault(task) => task.faults(),
+            Task::FindFault(task) => task.faults(self.answered),
             _ => Vec::new(),
         }
     }

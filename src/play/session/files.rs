@@ -37,11 +37,8 @@ impl Session {
                         return Err("points have no edits to play: keep the triangulation first".to_owned());
                     }
                 };
-                let mut reply = file("film.html", "text/html", page);
-                if !note.is_empty() {
-                    reply.message = Some(Message::new(Tone::Note, note));
-                }
-                reply
+                let message = note.map(|note| Message::new(Tone::Note, note));
+                Reply { message, ..file("film.html", "text/html", page) }
             }
             _ => return Err(format!("there is no file `{what}`")),
         };

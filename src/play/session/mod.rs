@@ -130,26 +130,19 @@ impl Session {
                 self.fill(changed, &mut reply);
                 reply
             }
-            Err(reason) => {
-                let mut reply = Reply { message: Some(Message::new(Tone::Refused, reason)), ..Reply::default() };
-                self.mark_refused(&mut reply);
-                reply
-            }
+            Err(reason) => self.refusal(&reason),
         }
     }
 
-    /// Marks what a refusal names, where single half-edges are not drawn.
-    fn mark_refused(&self, reply: &mut Reply) {
-        if self.canvas.shows_half_edges() || !matches!(self.scene, Scene::Plane { .. }) {
-            return;
+    /// A refusal. What it names is marked where single half-edges are not drawn.
+    fn refusal(&self, reason: &str) -> Reply {
+        let mut reply = Reply { message: Some(Message::new(Tone::Refused, reason)), ..Reply::default() };
+        if !self.canvas.shows_half_edges() && matches!(self.scene, Scene::Plane { .. }) {
+            let (table, mut over) = (self.table(), Over::default());
+            named(reason).into_iter().for_each(|name| over.mark("mark bad", &self.canvas, &table, name));
+            reply.over = Some(over.0);
         }
-        let Some(message) = &reply.message else { return };
-        let table = self.table();
-        let mut over = Over::default();
-        for name in named(&message.text) {
-            over.mark("mark bad", &self.canvas, &table, name);
-        }
-        reply.over = Some(over.0);
+        reply
     }
 
     fn try_act(&mut self, action: &Action) -> Outcome {

@@ -61,15 +61,10 @@ impl Session {
             // A vertex without edges has no corner: the plane's own word for joining two vertices.
             None => Call::new(&rows::insert_edge, [Argument::from(u), Argument::from(v)]),
         };
-        let refused = self.plane_edit(call.map_err(|error| error.to_string())?);
-        if refused.is_err() {
+        self.plane_edit(call.map_err(|error| error.to_string())?).or_else(|reason| {
             self.chosen = vec![v.into()];
-            let message = refused.as_ref().err().map(|reason| Message::new(Tone::Refused, reason.clone()));
-            let mut reply = Reply { message, ..Reply::default() };
-            self.mark_refused(&mut reply);
-            return Ok((SELECTION, reply));
-        }
-        refused
+            Ok((SELECTION, self.refusal(&reason)))
+        })
     }
 
     pub(super) fn follow(&mut self, link: &str) -> Outcome {
@@ -84,14 +79,11 @@ impl Session {
             return Err(format!("{from}.{link} leads nowhere"));
         };
         // While an edit waits for a second element, the first one stays.
-        if self.waiting.is_some() && self.chosen.len() == 1 {
-            self.chosen.push(to);
-        } else {
+        if self.waiting.is_none() || self.chosen.len() > 1 {
             self.chosen.pop();
-            self.chosen.push(to);
         }
-        let text = format!("{from}.{link} = {to}");
-        Ok((SELECTION, Reply { message: Some(Message::new(Tone::Done, text)), ..Reply::default() }))
+        self.chosen.push(to);
+        said(SELECTION, Tone::Done, format!("{from}.{link} = {to}"))
     }
 
     pub(super) fn walk(&mut self, path: &str) -> Outcome {

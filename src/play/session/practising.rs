@@ -32,10 +32,7 @@ impl Session {
         let Verdict { right, over, text, trail } = quiz.round.answer(answer, drawn.as_ref())?;
         let tone = if right { Tone::Right } else { Tone::Refused };
         let trail: Vec<String> = trail.iter().map(ToString::to_string).collect();
-        let mut reply = Reply { message: Some(Message::new(tone, text)), ..Reply::default() };
-        if over && !trail.is_empty() {
-            reply.trail = Some(trail);
-        }
-        Ok((ALL, reply))
+        let (message, trail) = (Some(Message::new(tone, text)), Some(trail).filter(|trail| over && !trail.is_empty()));
+        Ok((ALL, Reply { message, trail, ..Reply::default() }))
     }
 }

@@ -14,14 +14,8 @@ impl Session {
         self.broken = None;
         self.canvas.forget();
         self.leave();
-        let mut reply = Reply::default();
-        if !notes.is_empty() {
-            reply.message = Some(Message::new(Tone::Note, notes.join("; ")));
-        }
-        if left {
-            reply.quiz = Some(Question::default());
-        }
-        (ALL, reply)
+        let message = (!notes.is_empty()).then(|| Message::new(Tone::Note, notes.join("; ")));
+        (ALL, Reply { message, quiz: left.then(Question::default), ..Reply::default() })
     }
 
     pub(super) fn leave(&mut self) {
@@ -45,13 +39,12 @@ impl Session {
         let (scene, broken) = text.rsplit_once('\u{1e}').ok_or("the link holds no scene; copy it again")?;
         let scene = Scene::remade(scene)?;
         let mut session = Self { canvas: self.canvas.clone(), ..Self::new() };
-        let begun = session.begin(scene, &[]);
+        let mut begun = session.begin(scene, &[]);
         for line in broken.lines().filter(|line| !line.is_empty()) {
             let words: Vec<&str> = line.split(' ').collect();
             let [id, pointer, to] = words[..] else { return Err("the link holds no scene; copy it again".to_owned()) };
             session.lead(id, pointer, to)?;
         }
-        let mut begun = begun;
         if self.quiz.is_some() {
             begun.1.quiz = Some(Question::default());
         }

@@ -129,8 +129,7 @@ impl Session {
         if self.broken.is_none() && self.quiz.as_ref().is_none_or(|quiz| quiz.round.table().is_none()) {
             selected.edits = self.offers();
         }
-        let hidden = self.quiz.as_ref().is_some_and(|quiz| !quiz.round.shows_tables());
-        if hidden {
+        if self.quiz.as_ref().is_some_and(|quiz| !quiz.round.shows_tables()) {
             selected.pointers.clear();
         }
         reply.selected = Some(selected);
