@@ -52,6 +52,7 @@ pub(crate) struct Args {
 }
 
 /// What was made.
+#[derive(Default)]
 struct Made {
     subdivision: Subdivision,
     points: usize,
@@ -118,13 +119,7 @@ fn of_points(args: &Args) -> Result<Made, Failure> {
     let list = args.input.points(&args.file)?;
     list.check_room(BYTES_PER_POINT)?;
     let built = Subdivision::delaunay(&list.points).map_err(|error| Failure::about(&list.source, error))?;
-    Ok(Made {
-        subdivision: built.subdivision,
-        points: list.points.len(),
-        repeated: built.repeated,
-        constrained: EdgeMap::default(),
-        flips: None,
-    })
+    Ok(Made { subdivision: built.subdivision, points: list.points.len(), repeated: built.repeated, ..Made::default() })
 }
 
 /// The structure in the file, its edges kept or flipped.
@@ -138,11 +133,10 @@ fn of_graph(args: &Args) -> Result<Made, Failure> {
     let points = subdivision.vertex_count();
     if args.flips {
         let flips = Some(subdivision.make_delaunay(|_| false));
-        return Ok(Made { subdivision, points, repeated: Vec::new(), constrained: EdgeMap::default(), flips });
+        return Ok(Made { subdivision, points, flips, ..Made::default() });
     }
     let made = subdivision.constrained_delaunay().map_err(|error| Failure::about(source, error))?;
-    let (subdivision, constrained) = (made.subdivision, made.constrained);
-    Ok(Made { subdivision, points, repeated: Vec::new(), constrained, flips: None })
+    Ok(Made { subdivision: made.subdivision, points, constrained: made.constrained, ..Made::default() })
 }
 
 fn draw(made: &Made, circles: bool, options: &FigureOptions) -> Result<Figure, Failure> {

@@ -1,6 +1,7 @@
 //! `dcel figures`: the reference figures of the project, made anew or compared.
 
 use super::gallery::{draw_all, write_all};
+use super::input::files_ending;
 use super::{Answer, Failure, Output, failure};
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -61,9 +62,7 @@ fn compare(path: &Path, svg: &str) -> Result<(), String> {
 }
 
 fn svg_files(dir: &Path) -> Result<BTreeSet<PathBuf>, Failure> {
-    let entries = std::fs::read_dir(dir).and_then(Iterator::collect::<Result<Vec<_>, _>>).map_err(|error| {
+    files_ending(dir, "svg").map_err(|error| {
         Failure::input(format_args!("{}: {error}", dir.display()), "name the folder of the figures with --dir")
-    })?;
-    let paths = entries.into_iter().map(|entry| entry.path());
-    Ok(paths.filter(|path| path.extension().is_some_and(|extension| extension == "svg")).collect())
+    })
 }

@@ -7,7 +7,9 @@ use dcel_kit::io::{
     assemble, points_from_text, read_path, read_points, read_whole, source_name,
 };
 use dcel_kit::topology::Mode;
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::io;
+use std::path::{Path, PathBuf};
 
 /// How to read a file.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -18,7 +20,7 @@ pub(crate) struct InputOptions {
     format: Option<Format>,
     /// y points down in the file, as on screens
     #[arg(long)]
-    y_down: bool,
+    pub(crate) y_down: bool,
     /// Leave out rings that enclose nothing: without three distinct points, or on one line; an outer ring takes its
     /// polygon with it
     #[arg(long)]
@@ -44,7 +46,7 @@ pub(crate) struct InputOptions {
     split_crossings: bool,
     /// Believe that polygons do not overlap: check only those that meet
     #[arg(long, conflicts_with_all = ["mend", "split_crossings"])]
-    trust: bool,
+    pub(crate) trust: bool,
     /// What is done anyway, unless --trust is given
     #[arg(long, conflicts_with = "trust")]
     full_check: bool,
@@ -55,22 +57,8 @@ pub(crate) struct InputOptions {
     plane_in_vain: bool,
 }
 
-/// What comes out of a file.
-pub(crate) enum Opened {
-    /// Something to work with.
-    Subject(Box<Subject>),
-    /// A file that could be read, and whose polygons do not fit together.
-    Misfit(LoadError),
-}
-
-impl Opened {
-    fn subject(self) -> Result<Subject, Failure> {
-        match self {
-            Self::Subject(subject) => Ok(*subject),
-            Self::Misfit(error) => Err(error.into()),
-        }
-    }
-}
+/// A structure; or what the file holds is none, for this reason.
+pub(crate) type Opened = Result<Subject, LoadError>;
 
 impl InputOptions {
     /// Whether polygons and segments are split where they meet.
@@ -81,11 +69,6 @@ impl InputOptions {
     /// Splits polygons and segments where they meet, and asks for nothing else.
     pub(crate) fn mending() -> Self {
         Self { mend: true, ..Self::default() }
-    }
-
-    /// Whether the plane is not to be checked.
-    pub(crate) fn trusts(&self) -> bool {
-        self.trust
     }
 
     /// The same for those who work on surfaces in space only.
@@ -101,13 +84,13 @@ impl InputOptions {
 
     /// The same; unless `keep_tables`, a table must be a subdivision of the plane and becomes one.
     pub(crate) fn open_as(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
-        self.try_open(file, keep_tables)?.subject()
+        Ok(self.try_open(file, keep_tables)??)
     }
 
     /// The same for one of several files: each note says which it is about.
     pub(crate) fn open_one_of(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
         let source = source_name(file);
-        self.load(file, keep_tables, &|note| say("note", format_args!("{source}: {note}")))?.subject()
+        Ok(self.load(file, keep_tables, &|note| say("note", format_args!("{source}: {note}")))??)
     }
 
     /// The same, for those who want to say more about a misfit.
@@ -127,7 +110,7 @@ impl InputOptions {
         let loaded = match read {
             Read { document: Document::Columns(table), notes, format } if keep_tables => {
                 notes.iter().for_each(|note| tell(note));
-                return Ok(Opened::Subject(Box::new(Subject::of_table(table, source, format))));
+                return Ok(Ok(Subject::of_table(table, source, format)));
             }
             read => {
                 let notes = read.notes.clone();
@@ -137,7 +120,7 @@ impl InputOptions {
                     Err(error) => {
                         // That the file was cut off may be the very reason.
                         notes.iter().for_each(|note| tell(note));
-                        return Ok(Opened::Misfit(error));
+                        return Ok(Err(error));
                     }
                 }
             }
@@ -150,7 +133,7 @@ impl InputOptions {
         };
         let (names, covering, format, places) = (loaded.names, loaded.covering, loaded.format, loaded.places);
         let (trusted, left_out) = (self.trust, loaded.left_out);
-        Ok(Opened::Subject(Box::new(Subject { kind, names, covering, trusted, source, format, places, left_out })))
+        Ok(Ok(Subject { kind, names, covering, trusted, source, format, places, left_out }))
     }
 
     /// A flag that cannot do anything with this kind of input is an error, so that nobody believes it did.
@@ -251,11 +234,6 @@ impl InputOptions {
         flags.into_iter().find(|(_, given)| *given).map(|(flag, _)| flag)
     }
 
-    /// Whether y points down in the file.
-    pub(crate) fn y_down(&self) -> bool {
-        self.y_down
-    }
-
     fn load_options(&self) -> LoadOptions {
         let mode = match (self.plane, self.surface) {
             (true, _) => Some(Mode::Plane),
@@ -300,4 +278,10 @@ pub(crate) fn refuse_object(object: Option<&str>, format: Option<Format>, source
     let format = format.map_or("plain points", Format::name);
     let what = format!("{source}: --object cannot be used on {format}: only TopoJSON files have objects");
     Err(Failure::input(what, "leave --object out"))
+}
+
+/// The files of a folder whose names end so, in order.
+pub(crate) fn files_ending(dir: &Path, end: &str) -> io::Result<BTreeSet<PathBuf>> {
+    let paths = std::fs::read_dir(dir)?.map(|entry| entry.map(|entry| entry.path())).collect::<io::Result<Vec<_>>>()?;
+    Ok(paths.into_iter().filter(|path| path.extension().is_some_and(|other| other == end)).collect())
 }

@@ -98,7 +98,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let s = subject.plane()?;
     // The file says where y points; the points are given in its coordinates.
     let asked: Vec<Point> =
-        given.iter().map(|&p| if args.input.y_down() { Point::new(p.x, 0.0 - p.y) } else { p }).collect();
+        given.iter().map(|&p| if args.input.y_down { Point::new(p.x, 0.0 - p.y) } else { p }).collect();
     let walks = match args.walk {
         Some(start) => Some(walks(s, start, &asked)?),
         None => None,

@@ -206,6 +206,7 @@ fn film_target(args: &Args) -> Result<Option<Target>, Failure> {
 fn write_film(target: &Target, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
     let refused = |error| Failure::input(error, "leave out --film and --frames");
     let options = target.options(FigureOptions::new(title));
+    let no_slip = |error: SlipError| Failure::input(error, "`dcel script --json` lists what each edit writes");
     let beside = if args.slip.is_empty() { None } else { Some(film.beside(&args.slip).map_err(no_slip)?) };
     if let Some(dir) = &args.frames {
         let singles = beside.as_ref().map_or_else(|| film.singles(&options), |film| film.singles(&options));
@@ -225,10 +226,6 @@ fn write_film(target: &Target, film: &Film, title: &str, args: &Args, out: &mut 
         None => film.strip(&options),
     };
     target.write(&figure.map_err(refused)?, out)
-}
-
-fn no_slip(error: SlipError) -> Failure {
-    Failure::input(error, "`dcel script --json` lists what each edit writes")
 }
 
 /// The text, and what messages call it.

@@ -2,7 +2,7 @@
 
 use super::answer::{fields, tell};
 use super::failure::say;
-use super::input::{InputOptions, Opened};
+use super::input::InputOptions;
 use super::output::names;
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
@@ -67,12 +67,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         print_rules(args.json, out)?;
         return Ok(Answer::Yes);
     };
-    if args.input.trusts() {
+    if args.input.trust {
         return Err(Failure::input("--trust leaves out the check that validate makes", "leave --trust out"));
     }
     let report = match args.input.try_open(file, true)? {
-        Opened::Subject(mut subject) => Report::of(&mut subject),
-        Opened::Misfit(error) => Report::misfit(source_name(file), &error),
+        Ok(mut subject) => Report::of(&mut subject),
+        Err(error) => Report::misfit(source_name(file), &error),
     };
     tell(&report, args.json, out, |out| report.print(out))?;
     Ok(if report.valid { Answer::Yes } else { Answer::No })

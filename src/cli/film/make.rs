@@ -80,7 +80,7 @@ fn of_a_subdivision(args: &Args) -> Result<SketchFilm, Refused> {
         Algorithm::Locate => {
             let start = start(args, given.vertices().next())?;
             let [x, y] = about.point.unwrap_or_default();
-            let p = Point::new(x, if args.input.y_down() { 0.0 - y } else { y });
+            let p = Point::new(x, if args.input.y_down { 0.0 - y } else { y });
             algorithms::location_walk(&given, start, p, args.most).map_err(|error| refused(&error))
         }
         _ => algorithms::ear_clipping(&given, args.most).map_err(faulty),

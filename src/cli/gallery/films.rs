@@ -4,10 +4,9 @@ use super::Made;
 use super::labs::{lab_02, lab_06, lab_11};
 use super::lesson;
 use dcel_kit::FaceId;
-use dcel_kit::figure::{FigureOptions, Film, SketchFilm, algorithms};
+use dcel_kit::figure::{FigureOptions, SketchFilm, algorithms};
 use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::{Point, Subdivision};
-use dcel_kit::script::Script;
 use dcel_kit::solid::{Direction, Platonic, Polyhedron, Selection};
 use dcel_kit::sources;
 use dcel_lab::cases::handouts;
@@ -18,9 +17,7 @@ pub(super) fn strip(film: &SketchFilm, options: &FigureOptions) -> Made<String> 
 
 /// One split of a face, and what a wrong next makes of it.
 pub(super) fn slip(options: &FigureOptions) -> Made<String> {
-    let script = Script::parse(sources::SPLIT_FACE, "a split")?;
-    let film = Film::of_script(&script).beside(&["h13.next = h8".parse()?])?;
-    Ok(film.strip(options)?.to_svg())
+    Ok(super::film(sources::SPLIT_FACE)?.beside(&["h13.next = h8".parse()?])?.strip(options)?.to_svg())
 }
 
 /// A face of the lab's subdivision, half-edge by half-edge.

@@ -81,7 +81,8 @@ static REFERENCES: &[Reference] = references! {
         "the funnel through a corridor, portal by portal";
     "film-hull.svg", "A film of a convex hull", "hull" => films::hull,
         "a convex hull from left to right and back: corners come, and go again";
-    "film-join-faces.svg", "A film of join_faces", "join-faces" => |options| strip(sources::JOIN_FACES, options),
+    "film-join-faces.svg", "A film of join_faces", "join-faces" =>
+        |options| Ok(film(sources::JOIN_FACES)?.strip(options)?.to_svg()),
         "join_faces step by step: the inverse of split_face";
     "film-matching.svg", "A film of matching", "matching-film" => labs::lab_05::film,
         "the half-edges of a list of faces find their twins, face by face; the border is left";
@@ -97,10 +98,11 @@ static REFERENCES: &[Reference] = references! {
         "a sweep that cuts a face into monotone pieces, and the triangles of these";
     "film-solid-hull.svg", "A film of a convex hull in space", "solid-hull" => films::solid_hull,
         "a convex hull in space: what each point sees, the horizon, the new triangles";
-    "film-split-face.svg", "A film of split_face", "split" => |options| strip(sources::SPLIT_FACE, options),
+    "film-split-face.svg", "A film of split_face", "split" =>
+        |options| Ok(film(sources::SPLIT_FACE)?.strip(options)?.to_svg()),
         "split_face step by step: what each step of the handout links";
     "film-split-in-half.svg", "A film of split_in_half", "split-in-half" =>
-        |options| strip(sources::SPLIT_IN_HALF, options),
+        |options| Ok(film(sources::SPLIT_IN_HALF)?.strip(options)?.to_svg()),
         "split_in_half step by step";
     "film-sweep.svg", "A film of the sweep over segments", "sweep" => films::sweep,
         "the sweep that finds where segments cross, event by event";
@@ -184,7 +186,8 @@ static REFERENCES: &[Reference] = references! {
         "a dodecahedron: the half-edges of the faces that are seen, and the hidden edges dashed";
     "states.svg", "The states of the USA", "the-states-of-the-usa", 830.0 => states,
         "the states of the USA as one subdivision: 198 faces, 143 components";
-    "stepper-split-face.svg", "Steps of split_face", "steps" => stepper_split_face,
+    "stepper-split-face.svg", "Steps of split_face", "steps" =>
+        |options| Ok(film(sources::SPLIT_FACE)?.stepper(options)?.to_svg()),
         "the film of split_face one frame at a time, by links, without a script";
     "tables.svg", "Tables of the lab's subdivision", "tables" =>
         |options| Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), options)?.to_svg()),
@@ -228,13 +231,9 @@ fn states(options: &FigureOptions) -> Made<String> {
     Ok(figure::structure(&states.subdivision, &options)?.to_svg())
 }
 
-fn stepper_split_face(options: &FigureOptions) -> Made<String> {
-    let script = Script::parse(sources::SPLIT_FACE, "split-face.dcels")?;
-    Ok(Film::of_script(&script).stepper(options)?.to_svg())
-}
-
-fn strip(script: &str, options: &FigureOptions) -> Made<String> {
-    Ok(Film::of_script(&Script::parse(script, "an edit")?).strip(options)?.to_svg())
+/// The film of a script.
+fn film(script: &str) -> Made<Film> {
+    Ok(Film::of_script(&Script::parse(script, "an edit")?))
 }
 
 /// The files of the folder: all figures, and the page that shows them.

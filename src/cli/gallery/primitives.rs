@@ -4,7 +4,7 @@ use super::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::ids::{FaceId, HalfEdgeId, VertexId};
-use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::topology::{Dcel, PolygonList, Table};
 
 type At = [f64; 2];
@@ -28,17 +28,11 @@ fn wheel() -> Made<Subdivision> {
 
 /// The structure after an edit of the kernel, with places for some vertices.
 fn drawn(before: &Subdivision, after: &Dcel, places: &[(VertexId, At)]) -> Table {
-    let positions = Table::from_planar_view(before);
     let mut all = Table { outer_face: Some(FaceId::new(0)), ..Table::from_view(after) };
-    for (row, old) in all.vertices.iter_mut().zip(&positions.vertices) {
-        if let (Some(row), Some(old)) = (row, old) {
-            row.position = old.position;
-        }
-    }
-    for &(v, place) in places {
-        if let Some(Some(row)) = all.vertices.get_mut(v.index()) {
-            row.position = Some(place);
-        }
+    for (v, row) in (0..).map(VertexId::new).zip(&mut all.vertices) {
+        let place = places.iter().find(|(of, _)| *of == v).map(|&(_, place)| place);
+        let position = place.or_else(|| before.position(v).map(|p| [p.x, p.y]));
+        row.iter_mut().for_each(|row| row.position = position);
     }
     all
 }

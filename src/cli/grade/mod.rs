@@ -25,7 +25,7 @@ mod targets;
 mod terms;
 
 use super::choice::{number, positive, whole, within};
-use super::input::text_of;
+use super::input::{files_ending, text_of};
 use super::{Answer, Failure, Output, failure};
 use class::{Class, KEPT};
 use dcel_kit::files::ScratchFolder;
@@ -376,16 +376,8 @@ pub(super) fn stored(place: &Path) -> Result<Vec<Report>, Failure> {
         return stored_file(place);
     }
     let cannot = |error: std::io::Error| Failure::input(format!("{}: {error}", reports.display()), STORED);
-    let mut files = Vec::new();
-    for entry in fs::read_dir(&reports).map_err(cannot)? {
-        let path = entry.map_err(cannot)?.path();
-        if path.extension().is_some_and(|end| end == "json") {
-            files.push(path);
-        }
-    }
-    files.sort();
     let mut found = Vec::new();
-    for file in files {
+    for file in files_ending(&reports, "json").map_err(cannot)? {
         found.extend(stored_file(&file)?);
     }
     Ok(found)

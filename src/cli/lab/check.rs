@@ -240,7 +240,7 @@ impl Bench {
 
     /// A target folder of its own: an editor that builds at the same time is never in the way.
     fn target(&self) -> PathBuf {
-        self.dir.join("target").join("check")
+        folder::checked(&self.dir)
     }
 }
 

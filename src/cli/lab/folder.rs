@@ -3,7 +3,10 @@
 use super::super::Failure;
 use super::super::input::text_of;
 use super::super::save::put_folder;
+use dcel_kit::files::write_whole;
 use dcel_lab::{Kit, LabFiles, Manifest, Packed, student_files, vendored};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -64,4 +67,20 @@ pub(super) fn manifest(dir: &Path) -> Result<Manifest, Failure> {
 /// The text of a file in it.
 pub(super) fn read(path: &Path) -> Result<String, Failure> {
     text_of(path, "is the folder complete?")
+}
+
+/// What checks leave in the folder of a lab.
+pub(super) fn checked(dir: &Path) -> PathBuf {
+    dir.join("target").join("check")
+}
+
+/// What was remembered under this name in the folder of a lab, if it is there and can be read.
+pub(super) fn remembered<T: DeserializeOwned>(dir: &Path, name: &str) -> Option<T> {
+    serde_json::from_str(&fs::read_to_string(checked(dir).join(name)).ok()?).ok()
+}
+
+/// Remembers something. If it cannot be written, it is forgotten.
+pub(super) fn remember(dir: &Path, name: &str, what: &impl Serialize) {
+    let _ = fs::create_dir_all(checked(dir));
+    let _ = write_whole(&checked(dir).join(name), serde_json::to_string(what).unwrap_or_default());
 }

@@ -8,11 +8,9 @@
 use super::super::choice::{whole, within};
 use super::super::{Answer, Failure, Output};
 use super::folder;
-use dcel_kit::files::write_whole;
 use dcel_lab::{Lab, LabFiles, Report};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -112,6 +110,9 @@ fn levels(files: &LabFiles, task: u32) -> Vec<(&str, &str)> {
     text.split("\n## ").skip(1).map(|part| part.split_once('\n').unwrap_or((part, ""))).collect()
 }
 
+/// Where it is remembered.
+const HINTS: &str = "hints.json";
+
 /// What is remembered between two commands. If it is lost, hints begin anew.
 #[derive(Serialize, Deserialize, Default, Debug)]
 struct Book {
@@ -126,16 +127,12 @@ struct Book {
 
 impl Book {
     fn read(dir: &Path) -> Self {
-        let text = fs::read_to_string(place(dir)).unwrap_or_default();
-        serde_json::from_str(&text).unwrap_or_default()
+        folder::remembered(dir, HINTS).unwrap_or_default()
     }
 
+    /// Nothing is lost with it but the place in the list of hints.
     fn write(&self, dir: &Path) {
-        let place = place(dir);
-        let text = serde_json::to_string(self).unwrap_or_default();
-        // Nothing is lost but the place in the list of hints.
-        let _ = place.parent().map(fs::create_dir_all);
-        let _ = write_whole(&place, text);
+        folder::remember(dir, HINTS, self);
     }
 
     fn give(&mut self, task: u32, level: u8) {
@@ -150,8 +147,4 @@ pub(super) fn remember(dir: &Path, report: &Report) {
         let book = Book { checked: true, task: report.next_test().map(|test| test.task), ..Book::read(dir) };
         book.write(dir);
     }
-}
-
-fn place(dir: &Path) -> PathBuf {
-    dir.join("target").join("check").join("hints.json")
 }

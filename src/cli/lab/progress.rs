@@ -8,7 +8,6 @@
 
 use super::super::{Answer, Failure, Output, failure, output};
 use super::{folder, lab};
-use dcel_kit::files::write_whole;
 use dcel_lab::course::Course;
 use dcel_lab::{LabFiles, Manifest, Points, Report, typed};
 use serde::{Deserialize, Serialize};
@@ -36,12 +35,10 @@ pub(super) fn remember(dir: &Path, report: &Report) {
     let (points, max_points) = (report.points(), report.max_points());
     let passed = report.verdict.is_passed();
     let last = Last { lab: report.lab.clone(), points, max_points, passed, next };
-    let _ = write_whole(&place(dir), serde_json::to_string(&last).unwrap_or_default());
+    folder::remember(dir, PROGRESS, &last);
 }
 
-fn place(dir: &Path) -> PathBuf {
-    dir.join("target").join("check").join("progress.json")
-}
+const PROGRESS: &str = "progress.json";
 
 /// The course around a place, and its file: in this folder or one above.
 pub(super) fn course_above(place: &Path) -> Result<Option<(PathBuf, Course)>, Failure> {
@@ -174,8 +171,7 @@ fn next(rows: &[Row]) -> String {
 fn rows(course: Option<&Course>, folders: &[(String, PathBuf)]) -> Result<Vec<Row>, Failure> {
     let dir = |name: &str| folders.iter().find(|(lab, _)| lab == name).map(|(_, dir)| dir.clone());
     let last = |name: &str| -> Option<Last> {
-        let last: Last = serde_json::from_str(&fs::read_to_string(place(&dir(name)?)).ok()?).ok()?;
-        (last.lab == name).then_some(last)
+        folder::remembered(&dir(name)?, PROGRESS).filter(|last: &Last| last.lab == name)
     };
     let row = |name: &str, manifest: &Manifest| Row {
         name: name.to_owned(),

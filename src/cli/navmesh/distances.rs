@@ -73,12 +73,12 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("a limit of {limit}"), "give a length of 0 or more"));
     }
     args.snap.check()?;
-    let target = args.drawing.target(args.map.file())?;
-    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+    let target = args.drawing.target(&args.map.file)?;
+    let draft = match args.map.read_as(!args.map.obstacles.are_given())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => return space::distances::run(&ground, args, target.as_ref(), out),
     };
-    let map = args.map.open_draft(draft, args.costs.areas())?;
+    let map = args.map.open_draft(draft, &args.costs.cost)?;
     let Some([start]) = map.flat(&args.start)? else {
         let what = format!("{} numbers are no point", args.start.len());
         return Err(map.no_points(&what, &args.start, 1, "give x and y"));
@@ -90,7 +90,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let links = &args.links.links(&map)?.sides;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let layers = std::slice::from_ref(&map.mesh);
-    let costs = map.costs(args.costs.areas())?;
+    let costs = map.costs(&args.costs.cost)?;
     let mut nearest: Option<DistanceField> = None;
     for place in places {
         let fields = match &costs {

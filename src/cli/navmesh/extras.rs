@@ -7,16 +7,16 @@ use super::map::Map;
 use super::numbers::number;
 use super::space::{Ground, Wish};
 use super::tell::point;
-use dcel_kit::navmesh::{Link, PathAlgorithm, Stop, SurfaceLink, SurfacePoint};
+use dcel_kit::navmesh::{Link, PathAlgorithm, Stop, SurfaceLink};
 
 /// What changes the length of a path beside walls.
 #[derive(clap::Args, Debug)]
 #[command(next_help_heading = "Costs and links")]
 pub(super) struct Extras {
     #[command(flatten)]
-    costs: CostArgs,
+    pub(super) costs: CostArgs,
     #[command(flatten)]
-    links: LinkArgs,
+    pub(super) links: LinkArgs,
 }
 
 /// Areas with costs.
@@ -28,7 +28,7 @@ pub(super) struct CostArgs {
     /// (x,y,x,y,x,y=2), along which faces are cut. Answers are good ones for these costs, not the best of
     /// all; a path needs a quicker rule than --algorithm exact
     #[arg(long, value_name = "AREA=COST", value_parser = area, allow_hyphen_values = true)]
-    cost: Vec<Area>,
+    pub(super) cost: Vec<Area>,
 }
 
 /// Links between places.
@@ -102,35 +102,22 @@ impl Extras {
             PathAlgorithm::Breadth => ("bfs counts faces, whatever they cost", "a rule that counts lengths"),
             _ => return Ok(()),
         };
-        if self.areas().is_empty() {
+        if self.costs.cost.is_empty() {
             return Ok(());
         }
         let what = format!("--cost cannot be used with --algorithm {word}: {why}");
         Err(Failure::input(what, format!("choose {rule}, for example --algorithm closest")))
-    }
-
-    /// The links between places.
-    pub(super) fn links(&self) -> &LinkArgs {
-        &self.links
-    }
-
-    /// The areas with costs.
-    pub(super) fn areas(&self) -> &[Area] {
-        self.costs.areas()
-    }
-}
-
-impl CostArgs {
-    /// The areas with costs.
-    pub(super) fn areas(&self) -> &[Area] {
-        &self.cost
     }
 }
 
 impl LinkArgs {
     /// The links; their ends must be on the mesh.
     pub(super) fn links(&self, map: &Map) -> Result<Links<Link>, Failure> {
-        let stops = |at: [f64; 2], what: &str| -> Result<Vec<Stop>, Failure> {
+        let stops = |numbers: &[f64], what: &str| -> Result<Vec<Stop>, Failure> {
+            let Some([at]) = map.flat(numbers)? else {
+                let why = "its points have three coordinates, those of the map have two";
+                return Err(Failure::input(format!("{}: --link: {why}", map.source), "give x0,y0,x1,y1,cost"));
+            };
             let p = map.point(at);
             let places = map.mesh.places(p).map_err(|error| {
                 let nearest = map.mesh.nearest_point(p);
@@ -140,29 +127,29 @@ impl LinkArgs {
             })?;
             Ok(places.into_iter().map(|place| Stop { layer: 0, place }).collect())
         };
-        let mut links = Links::new();
-        for LinkWish { numbers, cost } in &self.link {
-            let Some([from, to]) = map.flat(numbers)? else {
-                let why = "its points have three coordinates, those of the map have two";
-                return Err(Failure::input(format!("{}: --link: {why}", map.source), "give x0,y0,x1,y1,cost"));
-            };
-            let [from, to] = [stops(from, "start")?, stops(to, "end")?];
-            links.add([&from, &to], |&from, &to| Link { from, to, cost: *cost });
-        }
-        Ok(links)
+        self.between(stops, |&from, &to, cost| Link { from, to, cost })
     }
 
     /// The links of a surface.
     pub(super) fn on(&self, ground: &Ground, snap: &Snap) -> Result<Links<SurfaceLink>, Failure> {
-        let places = |numbers: &[f64], what: &str| -> Result<Vec<SurfacePoint>, Failure> {
-            let wish = Wish { what, numbers, layer: None, face: None };
-            Ok(ground.end(&wish, snap)?.places)
+        let places = |numbers: &[f64], what: &str| {
+            let wish = Wish { what: &format!("link's {what}"), numbers, layer: None, face: None };
+            ground.end(&wish, snap).map(|end| end.places)
         };
+        self.between(places, |&from, &to, cost| SurfaceLink { from, to, cost })
+    }
+
+    /// The links, from each of the places at a start to each at an end.
+    fn between<P, L>(
+        &self,
+        places: impl Fn(&[f64], &str) -> Result<Vec<P>, Failure>,
+        link: impl Fn(&P, &P, f64) -> L,
+    ) -> Result<Links<L>, Failure> {
         let mut links = Links::new();
         for LinkWish { numbers, cost } in &self.link {
-            let [from, to] = [&numbers[..numbers.len() / 2], &numbers[numbers.len() / 2..]];
-            let [from, to] = [places(from, "link's start")?, places(to, "link's end")?];
-            links.add([&from, &to], |&from, &to| SurfaceLink { from, to, cost: *cost });
+            let (from, to) = numbers.split_at(numbers.len() / 2);
+            let [from, to] = [places(from, "start")?, places(to, "end")?];
+            links.add([&from, &to], |from, to| link(from, to, *cost));
         }
         Ok(links)
     }

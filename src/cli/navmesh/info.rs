@@ -84,8 +84,8 @@ struct Info {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let target = args.drawing.target(args.map.file())?;
-    let draft = match args.map.look(matches!(args.draw, Draw::Map) && !args.map.has_obstacles())? {
+    let target = args.drawing.target(&args.map.file)?;
+    let draft = match args.map.look(matches!(args.draw, Draw::Map) && !args.map.obstacles.are_given())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let title = args.map.title();

@@ -52,7 +52,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         };
         return Err(Failure::input(what, "give x and y of each point"));
     }
-    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+    let draft = match args.map.read_as(!args.map.obstacles.are_given())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let points: Vec<&[f64]> = args.coordinates.chunks_exact(if args.xyz { 3 } else { 2 }).collect();

@@ -183,9 +183,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         ));
     }
     args.snap.check()?;
-    let target = args.drawing.target(args.map.file())?;
+    let target = args.drawing.target(&args.map.file)?;
     // What the plan alone knows.
-    let is_plan = args.radius.is_some() || args.map.has_obstacles() || args.draw != Draw::Route;
+    let is_plan = args.radius.is_some() || args.map.obstacles.are_given() || args.draw != Draw::Route;
     let draft = match args.map.read_as(!is_plan)? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => return space::path::run(&ground, args, target.as_ref(), out),
@@ -193,7 +193,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.start_layer.or(args.goal_layer).is_some_and(|layer| layer > 0) {
         return Err(Failure::input(format!("{}: a map of the plane has one layer", args.map.source()), "leave it out"));
     }
-    let whole = args.map.open_draft(draft, args.extras.areas())?;
+    let whole = args.map.open_draft(draft, &args.extras.costs.cost)?;
     let Some([from, to]) = whole.flat(&args.ends)? else {
         let help = "give x y of the start and x y of the goal";
         return Err(whole.no_points("a path has two ends", &args.ends, 2, help));
@@ -218,8 +218,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let map = maps.ways();
     let mut planner = args.preparation.planner();
     args.check_costs()?;
-    let costs = map.costs(args.extras.areas())?;
-    let links = args.extras.links().links(map)?;
+    let costs = map.costs(&args.extras.costs.cost)?;
+    let links = args.extras.links.links(map)?;
     if !links.is_empty() {
         return linked(args, map, &mut planner, (&links, costs.as_ref()), (&wishes, &ends), target.as_ref(), out);
     }

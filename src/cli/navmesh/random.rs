@@ -34,7 +34,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+    let draft = match args.map.read_as(!args.map.obstacles.are_given())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let places = ground.surface.random_places(args.seed).map(|place| ground.spot(&place));

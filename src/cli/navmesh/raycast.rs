@@ -55,8 +55,8 @@ pub(super) struct Args {
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.snap.check()?;
-    let target = args.drawing.target(args.map.file())?;
-    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+    let target = args.drawing.target(&args.map.file)?;
+    let draft = match args.map.read_as(!args.map.obstacles.are_given())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => return space::raycast::run(&ground, args, target.as_ref(), out),
     };

@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct MapArgs {
     /// The map, or - for standard input
     #[arg(value_name = "MAP")]
-    file: PathBuf,
+    pub(super) file: PathBuf,
     /// The format, if the file name does not say
     #[arg(long, value_name = "FORMAT", help_heading = "Reading")]
     format: Option<Format>,
@@ -64,7 +64,7 @@ pub(super) struct MapArgs {
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
     #[command(flatten)]
-    obstacles: ObstacleArgs,
+    pub(super) obstacles: ObstacleArgs,
 }
 
 /// What a search runs over.
@@ -132,11 +132,6 @@ impl MapArgs {
 
     pub(super) fn source(&self) -> String {
         source_name(&self.file)
-    }
-
-    /// The file itself.
-    pub(super) fn file(&self) -> &Path {
-        &self.file
     }
 
     /// Whether faces are cut into triangles, all or those that are not convex, so that they need not be.
@@ -297,11 +292,6 @@ impl MapArgs {
         })
     }
 
-    /// Whether something is put into the map.
-    pub(super) fn has_obstacles(&self) -> bool {
-        self.obstacles.are_given()
-    }
-
     /// A floor whose heights differ, as a surface.
     fn ground(&self, mut read: Read, up: Axis) -> Result<Ground, Failure> {
         let source = self.source();
@@ -444,7 +434,7 @@ impl MapArgs {
             Failure::input(format!("{source}: {what}"), help)
         })?;
         let map = Map { source, format, subdivision, mesh, names, known_costs: None, frame, level };
-        if !self.has_obstacles() {
+        if !self.obstacles.are_given() {
             return Ok(map);
         }
         let costs = map.costs(areas)?;

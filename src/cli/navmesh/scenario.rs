@@ -1,6 +1,7 @@
 //! `dcel navmesh scenario`: every query of a file against its stated length.
 
-use super::super::answer::tell;
+use super::super::answer::{fields, tell};
+use super::super::choice::{Choice, one_of};
 use super::super::failure::say;
 use super::super::{Answer, Failure, Output};
 use super::ends::{Moves, Snap};
@@ -9,11 +10,10 @@ use super::numbers::number;
 use super::path::Which;
 use super::reading::{MapArgs, Preparation};
 use super::tell::no_route;
-use clap::ValueEnum;
-use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, read_whole, source_name};
+use dcel_kit::io::{Number, Optimum, Query, Scenario, counted, read_whole, source_name};
 use dcel_kit::navmesh::{PathAlgorithm, Planner, QueryPointError, RouteError};
 use serde::Serialize;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Check every query of a scenario against the length that the file states
@@ -46,8 +46,8 @@ pub(super) struct Args {
     #[command(flatten)]
     snap: Snap,
     /// What the stated lengths are
-    #[arg(long, value_name = "KIND", default_value = "auto")]
-    optimum: Kind,
+    #[arg(long, value_name = "KIND", default_value = "auto", value_parser = one_of(KINDS))]
+    optimum: Stated,
     /// How much of its length a path may differ from what is stated, beyond half a unit of the last
     /// digit that is stated
     #[arg(long, value_name = "PART", value_parser = number, default_value_t = 1e-9)]
@@ -57,56 +57,28 @@ pub(super) struct Args {
     json: bool,
 }
 
-/// What the stated lengths are.
-#[derive(ValueEnum, Clone, Copy, Debug)]
-enum Kind {
-    /// The numbers tell
-    Auto,
-    /// The lengths of shortest paths
-    Euclidean,
-    /// Costs from cell to cell: upper bounds
-    Octile,
-}
+/// What the stated lengths are said to be, if anything.
+type Stated = Option<Optimum>;
 
-/// The answer. The names are those of the JSON form.
-#[derive(Default, Serialize)]
-struct Report {
-    map: String,
-    scenario: String,
-    algorithm: &'static str,
-    optimum: &'static str,
-    lengths: Lengths,
-    queries: usize,
+static KINDS: &[Choice<Stated>] = &[
+    ("auto", "The numbers tell", None),
+    ("euclidean", "The lengths of shortest paths", Some(Optimum::Euclidean)),
+    ("octile", "Costs from cell to cell: upper bounds", Some(Optimum::Octile)),
+];
+
+/// What came of the queries.
+#[derive(Default)]
+struct Checked {
     /// The starts and goals that were moved onto the mesh.
     moved: Moves,
     right: usize,
-    /// Of the stated lengths.
-    mean_ratio: Option<f64>,
-    max_ratio: Option<f64>,
     pops: u64,
     expansions: u64,
     wrong: Vec<Wrong>,
     /// How many of the wrong ones have a start or goal off the mesh.
-    #[serde(skip)]
     off: usize,
     /// The stated lengths of which a path was found, but for those of 0.
-    #[serde(skip)]
     compared: Vec<Compared>,
-}
-
-/// What the stated lengths are, by the numbers of the whole file.
-#[derive(Default, Serialize)]
-struct Lengths {
-    /// In words.
-    verdict: String,
-    stated: usize,
-    /// Those that do not fit what the file is or nearly is, and the line of the first of them.
-    misfits: usize,
-    first_misfit: Option<u32>,
-    /// Whether no way that is not along an axis has a diagonal step: Manhattan distances.
-    straight_steps: bool,
-    /// Set if most of them are no lengths of this map.
-    neither: Option<Neither>,
 }
 
 /// Lengths that are of neither kind on the map, told by those of the shortest paths.
@@ -173,20 +145,6 @@ impl Compared {
     }
 }
 
-impl Lengths {
-    fn of(verdict: &Verdict) -> Self {
-        let misfits = verdict.misfits();
-        Self {
-            verdict: verdict.to_string(),
-            stated: verdict.stated,
-            misfits: misfits.count,
-            first_misfit: misfits.first_line,
-            straight_steps: verdict.straight_steps,
-            neither: None,
-        }
-    }
-}
-
 #[derive(Serialize)]
 struct Wrong {
     line: u32,
@@ -210,30 +168,72 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let map = args.map.open()?;
     tell_other_maps(args, &scenario, args.map.cells(&map));
     let verdict = scenario.verdict();
-    let optimum = match args.optimum {
-        Kind::Auto => verdict.optimum,
-        Kind::Euclidean => Optimum::Euclidean,
-        Kind::Octile => Optimum::Octile,
-    };
+    let optimum = args.optimum.unwrap_or(verdict.optimum);
     let planner = args.preparation.planner();
-    let mut report = check(&map, &scenario, (planner, &args.snap), algorithm, (optimum, &verdict), args.tolerance);
+    let shortfall = if optimum == Optimum::Octile { verdict.shortfall() } else { 0.0 };
+    let checked = check(&map, &scenario, (planner, &args.snap), algorithm, optimum, args.tolerance + shortfall);
     // Of other algorithms, and of what was said to be otherwise, the lengths tell nothing.
-    let may_tell = matches!(args.optimum, Kind::Auto) && algorithm == PathAlgorithm::Exact;
-    if let Some(neither) = Neither::of(&report.compared).filter(|_| may_tell) {
-        report.lengths.verdict = neither.words(optimum);
-        report.lengths.neither = Some(neither);
-    }
-    tell(&report, args.json, out, |out| report.print(optimum, out))?;
-    if report.off > 0 && args.snap.limit().is_none() {
-        let ends = counted(report.off, "query starts or ends", "queries start or end");
+    let may_tell = args.optimum.is_none() && algorithm == PathAlgorithm::Exact;
+    let neither = Neither::of(&checked.compared).filter(|_| may_tell);
+    let ratios: Vec<f64> = checked.compared.iter().map(|length| length.found / length.stated).collect();
+    let misfits = verdict.misfits();
+    let answer = fields! {
+        map: &map.source,
+        scenario: &scenario.source,
+        algorithm: algorithm.name(),
+        optimum: KINDS.iter().find(|(.., kind)| *kind == Some(optimum)).map(|(word, ..)| word),
+        // What the stated lengths are, by the numbers of the whole file.
+        lengths: fields! {
+            verdict: neither.map_or_else(|| verdict.to_string(), |neither| neither.words(optimum)),
+            stated: verdict.stated,
+            // Those that do not fit what the file is or nearly is, and the line of the first of them.
+            misfits: misfits.count,
+            first_misfit: misfits.first_line,
+            // Whether no way that is not along an axis has a diagonal step: Manhattan distances.
+            straight_steps: verdict.straight_steps,
+            // Set if most of them are no lengths of this map.
+            neither,
+        },
+        queries: scenario.queries.len(),
+        moved: checked.moved,
+        right: checked.right,
+        // Of the stated lengths.
+        mean_ratio: (!ratios.is_empty()).then(|| ratios.iter().sum::<f64>() / ratios.len() as f64),
+        max_ratio: ratios.iter().copied().reduce(f64::max),
+        pops: checked.pops,
+        expansions: checked.expansions,
+        wrong: &checked.wrong,
+    };
+    tell(&answer, args.json, out, |out| {
+        const SHOWN: usize = 10;
+        writeln!(out, "stated lengths: {}", answer.lengths.verdict)?;
+        for wrong in answer.wrong.iter().take(SHOWN) {
+            writeln!(out, "{}:{}: {}", answer.scenario, wrong.line, wrong.why)?;
+        }
+        if answer.wrong.len() > SHOWN {
+            writeln!(out, "and {} more", answer.wrong.len() - SHOWN)?;
+        }
+        let Moves { count, farthest } = answer.moved;
+        if count > 0 {
+            let ends = counted(count, "start or goal was", "starts and goals were");
+            writeln!(out, "{ends} off the mesh and moved onto it, by {} at most", Number(farthest))?;
+        }
+        if let (Some(mean), Some(max)) = (answer.mean_ratio, answer.max_ratio) {
+            writeln!(out, "{}: {mean:.9} of the stated length on average, {max:.9} at most", answer.algorithm)?;
+        }
+        let words = if optimum == Optimum::Octile { "within the octile cost" } else { "optimal" };
+        writeln!(out, "{} of {} {words}", answer.right, answer.queries)
+    })?;
+    if checked.off > 0 && args.snap.limit().is_none() {
+        let ends = counted(checked.off, "query starts or ends", "queries start or end");
         say("help", format_args!("{ends} off the mesh: --snap 0.5 moves their ends onto it, if it is so near"));
     }
-    Ok(if report.wrong.is_empty() { Answer::Yes } else { Answer::No })
+    Ok(if checked.wrong.is_empty() { Answer::Yes } else { Answer::No })
 }
 
 /// Tells if the queries are about a map of another name, or of another size in cells.
 fn tell_other_maps(args: &Args, scenario: &Scenario, cells: Option<[u32; 2]>) {
-    let file = args.map.file().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let file = args.map.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let name = |query: &Query| query.map.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
     if let Some(query) = scenario.queries.iter().find(|query| name(query) != file) {
         say("note", format_args!("{}:{}: this query is about {}, not {file}", scenario.source, query.line, query.map));
@@ -257,35 +257,20 @@ fn check(
     scenario: &Scenario,
     (mut planner, snap): (Planner, &Snap),
     algorithm: PathAlgorithm,
-    (optimum, verdict): (Optimum, &Verdict),
+    optimum: Optimum,
     tolerance: f64,
-) -> Report {
-    let mut report = Report {
-        map: map.source.clone(),
-        scenario: scenario.source.clone(),
-        algorithm: algorithm.name(),
-        optimum: match optimum {
-            Optimum::Octile => "octile",
-            Optimum::Euclidean => "euclidean",
-        },
-        lengths: Lengths::of(verdict),
-        queries: scenario.queries.len(),
-        ..Report::default()
-    };
-    let shortfall = match optimum {
-        Optimum::Octile => verdict.shortfall(),
-        Optimum::Euclidean => 0.0,
-    };
+) -> Checked {
+    let mut checked = Checked::default();
     for query in &scenario.queries {
         let [start, goal] = [query.start, query.goal].map(|p| map.point([p.x, p.y]));
         // What is stated to have no path may have no clear place to start or end.
         let clear =
             || [start, goal].into_iter().all(|p| !matches!(map.mesh.place(p), Err(QueryPointError::Ambiguous { .. })));
         if query.length.is_none() && !clear() {
-            report.right += 1;
+            checked.right += 1;
             continue;
         }
-        let ends = [start, goal].map(|p| snap.place(map, p, &mut report.moved));
+        let ends = [start, goal].map(|p| snap.place(map, p, &mut checked.moved));
         let route = match ends {
             [Ok(starts), Ok(goals)] => {
                 planner.route_among(&map.mesh, algorithm, &starts, &goals).map(|(route, _)| route)
@@ -295,27 +280,22 @@ fn check(
         };
         let found = route.as_ref().ok().map(|route| route.length);
         if let Ok(route) = &route {
-            report.pops += route.work.pops;
-            report.expansions += route.work.expansions;
+            checked.pops += route.work.pops;
+            checked.expansions += route.work.expansions;
         }
-        let agrees = query.agrees(found, optimum, tolerance + shortfall);
+        let agrees = query.agrees(found, optimum, tolerance);
         if let (Some(stated), Some(found)) = (query.length.filter(|&stated| stated > 0.0), found) {
-            report.compared.push(Compared { stated, found, precision: query.precision, agrees });
+            checked.compared.push(Compared { stated, found, precision: query.precision, agrees });
         }
         if agrees {
-            report.right += 1;
+            checked.right += 1;
         } else {
-            report.off += usize::from(matches!(route, Err(RouteError::Start(_) | RouteError::Goal(_))));
+            checked.off += usize::from(matches!(route, Err(RouteError::Start(_) | RouteError::Goal(_))));
             let why = why(query.length, found, route.err().map(|error| no_route(map, &error)));
-            report.wrong.push(Wrong { line: query.line, stated: query.length, found, why });
+            checked.wrong.push(Wrong { line: query.line, stated: query.length, found, why });
         }
     }
-    let ratios: Vec<f64> = report.compared.iter().map(|length| length.found / length.stated).collect();
-    if !ratios.is_empty() {
-        report.mean_ratio = Some(ratios.iter().sum::<f64>() / ratios.len() as f64);
-        report.max_ratio = ratios.iter().copied().reduce(f64::max);
-    }
-    report
+    checked
 }
 
 fn why(stated: Option<f64>, found: Option<f64>, error: Option<String>) -> String {
@@ -324,31 +304,5 @@ fn why(stated: Option<f64>, found: Option<f64>, error: Option<String>) -> String
         (None, Some(found), _) => format!("a path of length {found}, and none is stated"),
         (Some(stated), None, Some(error)) => format!("no path, and {stated} is stated: {error}"),
         _ => "no path".to_owned(),
-    }
-}
-
-impl Report {
-    fn print(&self, optimum: Optimum, out: &mut Output) -> io::Result<()> {
-        const SHOWN: usize = 10;
-        writeln!(out, "stated lengths: {}", self.lengths.verdict)?;
-        for wrong in self.wrong.iter().take(SHOWN) {
-            writeln!(out, "{}:{}: {}", self.scenario, wrong.line, wrong.why)?;
-        }
-        if self.wrong.len() > SHOWN {
-            writeln!(out, "and {} more", self.wrong.len() - SHOWN)?;
-        }
-        if self.moved.count > 0 {
-            let Moves { count, farthest } = self.moved;
-            let ends = counted(count, "start or goal was", "starts and goals were");
-            writeln!(out, "{ends} off the mesh and moved onto it, by {} at most", Number(farthest))?;
-        }
-        if let (Some(mean), Some(max)) = (self.mean_ratio, self.max_ratio) {
-            writeln!(out, "{}: {mean:.9} of the stated length on average, {max:.9} at most", self.algorithm)?;
-        }
-        let words = match optimum {
-            Optimum::Euclidean => "optimal",
-            Optimum::Octile => "within the octile cost",
-        };
-        writeln!(out, "{} of {} {words}", self.right, self.queries)
     }
 }

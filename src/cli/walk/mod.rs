@@ -72,13 +72,14 @@ struct Which {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let subject = args.input.open(&args.file)?;
+    let view = subject.view();
     let Which { face, face_name, vertex, half_edge } = &args.element;
     if let Some(v) = vertex {
-        which::check_vertex(&subject, *v)?;
+        which::check(&subject, *v, view.vertex_bound(), |v| view.has_vertex(v))?;
         return around::star(&subject, *v, args.json, out);
     }
     if let Some(h) = half_edge {
-        which::check_half_edge(&subject, *h)?;
+        which::check(&subject, *h, view.half_edge_bound(), |h| view.has_half_edge(h))?;
         return around::links(&subject, *h, args.json, out);
     }
     let faces = which::faces(&subject, *face, face_name.as_deref())?;

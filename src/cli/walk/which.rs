@@ -2,17 +2,7 @@
 
 use super::{Failure, Subject};
 use dcel_kit::io::closest;
-use dcel_kit::{Element, FaceId, HalfEdgeId, Id, VertexId};
-
-pub(super) fn check_vertex(subject: &Subject, v: VertexId) -> Result<(), Failure> {
-    let view = subject.view();
-    check(subject, v, view.vertex_bound(), |v| view.has_vertex(v))
-}
-
-pub(super) fn check_half_edge(subject: &Subject, h: HalfEdgeId) -> Result<(), Failure> {
-    let view = subject.view();
-    check(subject, h, view.half_edge_bound(), |h| view.has_half_edge(h))
-}
+use dcel_kit::{Element, FaceId, Id};
 
 /// The face with this id, or all faces with this name.
 pub(super) fn faces(subject: &Subject, id: Option<FaceId>, name: Option<&str>) -> Result<Vec<FaceId>, Failure> {
@@ -50,7 +40,7 @@ pub(super) fn faces(subject: &Subject, id: Option<FaceId>, name: Option<&str>) -
     Err(Failure::input(what, help))
 }
 
-fn check<I: Id + Into<Element>>(
+pub(super) fn check<I: Id + Into<Element>>(
     subject: &Subject,
     id: I,
     bound: usize,

@@ -1,6 +1,6 @@
 //! The figures of lab 03.
 
-use super::dots;
+use super::{dots, outline};
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
@@ -14,19 +14,12 @@ fn hull(points: &[[f64; 2]]) -> Made<Vec<[f64; 2]>> {
     Ok(convex_hull(&all)?.into_iter().map(|i| points[i as usize]).collect())
 }
 
-fn outline(sketch: &mut Sketch, role: Role, corners: &[[f64; 2]]) {
-    sketch.region(role, [corners.to_vec()]).plain();
-    for (i, p) in corners.iter().enumerate() {
-        sketch.path(role, [*p, corners[(i + 1) % corners.len()]]).solid();
-    }
-}
-
 /// The picture that lab 03 asks for.
 pub(in crate::gallery) fn picture(options: &FigureOptions) -> Made<String> {
     let mut sketch = Sketch::new();
     let [points @ .., eye] = POINTS;
     let corners = hull(&points)?;
-    outline(&mut sketch, Role::Main, &corners);
+    outline(&mut sketch, [Role::Main; 2], &corners);
     // A tangent has all corners on one side.
     let touches = |touched: &[f64; 2]| {
         let sides = || corners.iter().map(|&c| orientation(eye.into(), (*touched).into(), c.into()));
@@ -61,8 +54,8 @@ pub(in crate::gallery) fn three_ways(options: &FigureOptions) -> Made<String> {
     let mut halves = Sketch::new();
     let (left, right): (Vec<[f64; 2]>, Vec<[f64; 2]>) = points.iter().partition(|p| p[0] < -70.0);
     let parts = [hull(&left)?, hull(&right)?];
-    outline(&mut halves, Role::Main, &parts[0]);
-    outline(&mut halves, Role::Secondary, &parts[1]);
+    outline(&mut halves, [Role::Main; 2], &parts[0]);
+    outline(&mut halves, [Role::Secondary; 2], &parts[1]);
     halves.path(Role::Event, [[-110.0, -150.0], [30.0, -150.0]]).solid().label("lower tangent");
     halves.path(Role::Event, [[-130.0, 150.0], [40.0, 140.0]]).solid().label("upper tangent");
     dots(&mut halves, Role::Plain, points);

@@ -2,12 +2,11 @@
 
 use super::dots;
 use crate::gallery::Made;
+use dcel_kit::HalfEdgeId;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner, Route};
-use dcel_kit::plane::{PlanarView, Point, Subdivision};
-use dcel_kit::topology::Table;
-use dcel_kit::{FaceId, HalfEdgeId};
+use dcel_kit::plane::{Point, Subdivision};
 use dcel_lab::cases::handouts::{GOAL, MAP, MAP_TRIANGLES, START};
 
 /// The edges inside of it.
@@ -33,14 +32,9 @@ fn path() -> Made<(Subdivision, Route)> {
     Ok((map, route))
 }
 
+/// Where a half-edge begins.
 fn place(map: &Subdivision, h: HalfEdgeId) -> Point {
-    map.position(map.origin(h)).unwrap_or_default()
-}
-
-fn corners(map: &Subdivision, f: FaceId) -> Vec<Point> {
-    let first = map.half_edge(f);
-    let sides = first.map(|h| dcel_kit::topology::bounded_cycle(map, h).map(|h| place(map, h)).collect());
-    sides.unwrap_or_default()
+    map.point(map.origin(h))
 }
 
 /// The picture that lab 06 asks for: corridor and path.
@@ -48,11 +42,10 @@ pub(in crate::gallery) fn corridor(options: &FigureOptions) -> Made<String> {
     let (map, route) = path()?;
     let mut sketch = Sketch::new();
     for &f in &route.faces {
-        sketch.region(Role::Main, [corners(&map, f)]).plain();
+        sketch.region(Role::Main, [map.incident_vertices(f).map(|v| map.point(v)).collect::<Vec<_>>()]).plain();
     }
-    let table = Table::from_view(&map);
-    for h in (0..table.half_edges.len() as u32).step_by(2).map(HalfEdgeId::new) {
-        sketch.path(Role::Plain, [place(&map, h), place(&map, h.twin())]);
+    for edge in map.edges() {
+        sketch.path(Role::Plain, edge.half_edges().map(|h| place(&map, h)));
     }
     sketch.path(Role::Goal, route.points.iter().copied()).solid();
     dots(&mut sketch, Role::Plain, route.points);

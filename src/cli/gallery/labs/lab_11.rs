@@ -1,5 +1,6 @@
 //! The reference figures of lab 11.
 
+use super::outline;
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
@@ -34,10 +35,7 @@ pub(in crate::gallery) fn climb(options: &FigureOptions) -> Made<String> {
 /// A polygon, and a climb over it.
 fn panel(corners: &[[f64; 2]], climb: &[usize], end: &str) -> Sketch {
     let mut sketch = Sketch::new();
-    sketch.region(Role::Main, [corners.to_vec()]).plain();
-    for (i, p) in corners.iter().enumerate() {
-        sketch.path(Role::Plain, [*p, corners[(i + 1) % corners.len()]]).solid();
-    }
+    outline(&mut sketch, [Role::Main, Role::Plain], corners);
     for step in climb.windows(2) {
         sketch.path(Role::Goal, [corners[step[0]], corners[step[1]]]).solid().arrow();
     }

@@ -31,3 +31,11 @@ fn euler(structure: &Subdivision) -> String {
     let [v, e, f] = [structure.vertex_count(), structure.edge_count(), structure.face_count()];
     format!("V - E + F = {v} - {e} + {f} = {}", v as i64 - e as i64 + f as i64)
 }
+
+/// A polygon, its inside in one role and its sides in the other.
+fn outline(sketch: &mut Sketch, [inside, sides]: [Role; 2], corners: &[[f64; 2]]) {
+    sketch.region(inside, [corners.to_vec()]).plain();
+    for (i, p) in corners.iter().enumerate() {
+        sketch.path(sides, [*p, corners[(i + 1) % corners.len()]]).solid();
+    }
+}

@@ -58,10 +58,10 @@ impl Export<'_> {
 
             let sources = kit::program_sources;
             let private = self.private(&shared, number, lab)?;
-            let grader = gradescope_files(name, self.kit, sources(), Some(&private)).map_err(|error| no_kit(&error))?;
+            let grader = gradescope_files(name, self.kit, sources(), Some(&private)).map_err(no_kit)?;
             files.insert(format!("gradescope/{name}.zip"), packed(&grader)?);
             let public = Some(shared.for_public_grader(number));
-            let grader = classroom50_files(name, self.kit, sources(), public).map_err(|error| no_kit(&error))?;
+            let grader = classroom50_files(name, self.kit, sources(), public).map_err(no_kit)?;
             files.insert(format!("classroom50/{name}.zip"), packed(&grader)?);
         }
         let students: Packed = shared.for_students().into();

@@ -78,13 +78,9 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let lab = bundled(args.lab.as_deref().unwrap_or_default())?;
     if let Some(target) = &args.student {
-        let files = folder::files(&lab, &place, args.vendor)?;
-        if is_zip(target) {
-            let inside = |(path, file): (String, Packed)| (format!("{}/{path}", lab.name()), file);
-            write(target, &files.into_iter().map(inside).collect())?;
-        } else {
-            folder::make(target, &files)?;
-        }
+        let above = if is_zip(target) { format!("{}/", lab.name()) } else { String::new() };
+        let files = folder::files(&lab, &place, args.vendor)?.into_iter();
+        write(target, &files.map(|(path, file)| (format!("{above}{path}"), file)).collect())?;
         writeln!(out, "{}: {} for students", target.display(), lab.name())?;
     }
     if let Some(target) = &args.gradescope {
@@ -92,25 +88,19 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let what = format!("{}: an autograder is a zip archive", target.display());
             return Err(Failure::input(what, "let its name end in .zip"));
         }
-        let files =
-            gradescope_files(lab.name(), &place, kit::program_sources(), None).map_err(|error| no_kit(&error))?;
+        let files = gradescope_files(lab.name(), &place, kit::program_sources(), None).map_err(no_kit)?;
         write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
     }
     if let Some(target) = &args.classroom50 {
-        let files =
-            classroom50_files(lab.name(), &place, kit::program_sources(), None).map_err(|error| no_kit(&error))?;
-        if is_zip(target) {
-            write(target, &files)?;
-        } else {
-            folder::make(target, &files)?;
-        }
+        let files = classroom50_files(lab.name(), &place, kit::program_sources(), None).map_err(no_kit)?;
+        write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
     }
     Ok(Answer::Yes)
 }
 
-fn no_kit(error: &std::io::Error) -> Failure {
+fn no_kit(error: std::io::Error) -> Failure {
     Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT")
 }
 
@@ -118,8 +108,9 @@ fn is_zip(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"))
 }
 
+/// Writes the files as an archive or a folder, as the name says.
 fn write(target: &Path, files: &BTreeMap<String, Packed>) -> Result<(), Failure> {
-    save::put(target, packed(files)?.bytes)
+    if is_zip(target) { save::put(target, packed(files)?.bytes) } else { folder::make(target, files) }
 }
 
 /// One archive of the files.

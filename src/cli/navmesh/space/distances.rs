@@ -24,7 +24,7 @@ pub(in super::super) fn run(
     let start = places[0];
     let links = &args.links.on(ground, &args.snap)?.sides;
     let limit = args.limit.unwrap_or(f64::INFINITY);
-    let costs = ground.costs(args.costs.areas())?;
+    let costs = ground.costs(&args.costs.cost)?;
     let from = |start: &SurfacePoint| {
         let field = match &costs {
             Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, costs, links, start, limit),

@@ -31,8 +31,8 @@ pub(in super::super) fn run(
     let surface = &ground.surface;
     let ends = [ground.end(&wishes[0], &args.snap)?, ground.end(&wishes[1], &args.snap)?];
     let mut planner = SurfacePlanner::new();
-    let costs = ground.costs(args.extras.areas())?;
-    let links = args.extras.links().on(ground, &args.snap)?;
+    let costs = ground.costs(&args.extras.costs.cost)?;
+    let links = args.extras.links.on(ground, &args.snap)?;
     if !links.is_empty() {
         return linked(ground, &mut planner, (args, target), (&links, costs.as_ref()), (&wishes, &ends), out);
     }
