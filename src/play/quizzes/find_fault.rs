@@ -3,12 +3,10 @@
 //! The faults are those that programs make: a `prev` that was forgotten, a `face` that was not given to all, a twin set one
 //! way, an `origin` mistaken for the other end, a representative that stayed behind.
 
-use super::Verdict;
 use super::structures::random;
+use super::{Dice, Message, Verdict};
 use crate::ids::Element;
 use crate::play::broken::{POINTERS, faults, get, set};
-use crate::play::dice::Dice;
-use crate::play::reply::Message;
 use crate::play::tables::{find, name};
 use crate::topology::{Table, View, violations};
 

@@ -1,11 +1,10 @@
 //! Predict the verdict: which of four calls is refused, and why?
 
-use super::Verdict;
 use super::structures::random;
+use super::{Dice, Verdict};
 use crate::edits::{Argument, Call, rows};
 use crate::ids::{Element, HalfEdgeId};
 use crate::plane::{PlaneJournal, SplitFaceError, Subdivision};
-use crate::play::dice::Dice;
 use crate::play::reply::named;
 use crate::topology::{self, Table};
 

@@ -1,9 +1,8 @@
 //! Where am I? A half-edge and some links: which half-edge do they lead to?
 
-use super::Verdict;
 use super::structures::random;
+use super::{Dice, Verdict};
 use crate::ids::Element;
-use crate::play::dice::Dice;
 use crate::play::walk::walk;
 use crate::topology::{Table, View};
 

@@ -1,9 +1,6 @@
 //! Pointers that are led elsewhere by hand.
 
-use super::{ALL, Outcome, Session, said};
-use crate::play::broken::Broken;
-use crate::play::reply::Tone;
-use crate::play::scene::Scene;
+use super::{ALL, Broken, Outcome, Scene, Session, Tone, said};
 
 impl Session {
     pub(super) fn lead(&mut self, id: &str, pointer: &str, to: &str) -> Outcome {

@@ -1,13 +1,10 @@
 //! Edits of what is selected; undo and redo.
 
-use super::{ALL, Changed, Outcome, SELECTION, Session, said};
+use super::{ALL, Changed, Message, Outcome, Reply, SELECTION, Scene, Session, Tone, points, said};
 use crate::edits::{Argument, Call, Kind, Row, Takes, find};
 use crate::ids::Element;
 use crate::plane::Subdivision;
 use crate::play::edits::Done;
-use crate::play::points;
-use crate::play::reply::{Message, Reply, Tone};
-use crate::play::scene::Scene;
 use crate::topology::{Dcel, has};
 
 impl Session {

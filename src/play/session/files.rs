@@ -1,9 +1,8 @@
 //! What can be taken along: drawings, structures, scripts, films.
 
-use super::{NOTHING, Outcome, Session, file};
+use super::{Message, NOTHING, Outcome, Reply, Session, Tone, file};
 use crate::io::Model;
 use crate::play::film;
-use crate::play::reply::{Message, Reply, Tone};
 use crate::play::scene::{Scene, dcel_text};
 
 impl Session {

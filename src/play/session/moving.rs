@@ -1,13 +1,10 @@
 //! Vertices that are dragged, dropped and nudged.
 
-use super::{NOTHING, Outcome, Session, TITLE};
+use super::{NOTHING, Outcome, Over, Scene, Session, TITLE, tables};
 use crate::edits::{Argument, Call, rows};
 use crate::ids::{Element, VertexId};
 use crate::plane::Point;
-use crate::play::canvas::Over;
 use crate::play::reply::{Message, Reply, Tone, element, named};
-use crate::play::scene::Scene;
-use crate::play::tables;
 use crate::topology::Table;
 
 impl Session {

@@ -1,10 +1,8 @@
 //! What is selected, by clicks, by links and by walks.
 
-use super::{NOTHING, Outcome, SELECTION, Session, said};
+use super::{Message, NOTHING, Outcome, Reply, SELECTION, Scene, Session, Tone, said};
 use crate::edits::{Argument, Call, rows};
 use crate::ids::{Element, VertexId};
-use crate::play::reply::{Message, Reply, Tone};
-use crate::play::scene::Scene;
 use crate::play::walk;
 use crate::topology::has;
 

@@ -1,9 +1,7 @@
 //! Rounds of questions.
 
-use super::{ALL, Outcome, Quiz, Session};
+use super::{ALL, Message, Outcome, Quiz, Reply, Scene, Session, Tone};
 use crate::play::quizzes::{Round, Verdict};
-use crate::play::reply::{Message, Reply, Tone};
-use crate::play::scene::Scene;
 
 impl Session {
     pub(super) fn begin_quiz(&mut self, what: &str, level: u32, seed: u64) -> Outcome {

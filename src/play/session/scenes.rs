@@ -1,10 +1,8 @@
 //! What is played with: a scene begins, by a word, a drawing, a link or lines of a script.
 
-use super::{ALL, Changed, NOTHING, Outcome, Session};
+use super::{ALL, Changed, Message, NOTHING, Outcome, Question, Reply, Session, Tone, link};
 use crate::plane::Point;
 use crate::play::edits::Done;
-use crate::play::link;
-use crate::play::reply::{Message, Question, Reply, Tone};
 use crate::play::scene::{Scene, starts_as_script};
 
 impl Session {

@@ -1,13 +1,11 @@
 //! What of a session is shown: the picture, the tables, counts and invariants, what is selected.
 
-use super::{Changed, LONGEST_LINK, Session, TITLE};
+use super::{Changed, LONGEST_LINK, Over, Session, TITLE, tables};
 use crate::edits::rows;
 use crate::ids::Element;
 use crate::io::counted;
-use crate::play::canvas::Over;
 use crate::play::reply::{Message, Reply, Selected, Status, Tone};
 use crate::play::scene::{Scene, draw_kernel};
-use crate::play::tables;
 use crate::topology::{Table, has, measure};
 use std::collections::BTreeSet;
 
