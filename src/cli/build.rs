@@ -1,12 +1,10 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
-use super::answer::fields;
 use super::choice::{number, pair};
-use super::failure::say;
 use super::input::refuse_object;
 use super::output::names;
 use super::results::{Moved, Results};
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, Output, fields, say};
 use dcel_kit::figure;
 use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,

@@ -1,10 +1,8 @@
 //! `dcel convert`: from one format to another.
 
-use super::failure::say;
-use super::input::InputOptions;
 use super::save::{Files, InPlace, save_as};
 use super::subject::{Kind, Subject};
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, say};
 use dcel_kit::FaceMap;
 use dcel_kit::io::{Format, LoadError, counted, losses};
 use dcel_kit::plane::{Point, Subdivision};

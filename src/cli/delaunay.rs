@@ -1,11 +1,8 @@
 //! `dcel delaunay`: of points, of a graph whose edges stay, or of a triangulation by flips.
 
-use super::answer::fields;
-use super::failure::say;
-use super::input::InputOptions;
 use super::results::Results;
 use super::subject::Kind;
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, fields, say};
 use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{Model, counted, source_name};
 use dcel_kit::plane::Subdivision;

@@ -1,15 +1,13 @@
 //! `dcel figure`: the structure as a drawing.
 
 use super::choice::{Choice, one_of};
-use super::failure::say;
 use super::figure_kind::Kind;
-use super::input::InputOptions;
 use super::looks::{Crop, Looks, Page};
 use super::picture::{Target, is_page, title};
 use super::save::{Files, put};
 use super::saved::Saved;
 use super::subject::{self, Subject};
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, say};
 use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
 use dcel_kit::plane::Subdivision;
 use std::path::{Path, PathBuf};

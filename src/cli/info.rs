@@ -1,10 +1,8 @@
 //! `dcel info`: what a structure consists of.
 
-use super::answer::{fields, tell};
-use super::input::InputOptions;
 use super::output::point;
 use super::subject::{Kind, Subject};
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, fields, tell};
 use dcel_kit::io::{Number, counted};
 use dcel_kit::plane::{Subdivision, TableError};
 use dcel_kit::topology::{InnerComponent, Mode, first_violation, measure_with};

@@ -57,12 +57,16 @@ mod walk;
 
 pub use lab::program_sources;
 
-use answer::Answer;
+use answer::{Answer, fields, tell};
 use choice::commands;
 use clap::{CommandFactory, FromArgMatches, Parser};
 use dcel_lab::judge::Judge;
-use failure::Failure;
+use failure::{Failure, say};
+use input::InputOptions;
+use looks::{Crop, Page};
 use output::Output;
+use picture::Target;
+use save::Files;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::Path;
@@ -189,7 +193,7 @@ fn answered() -> ExitCode {
             return ended(printed.map(|()| Answer::Yes).map_err(Failure::from), json, &mut out);
         }
     };
-    old.iter().for_each(|word| failure::say("note", word));
+    old.iter().for_each(|word| say("note", word));
     let ready = if command.ends_in_order() { Ok(()) } else { signals::clean_up() };
     let ready = ready.map_err(|error| Failure::machine(format!("signals: {error}"), ""));
     let answer = ready.and_then(|()| run(&command, &mut out)).and_then(|answer| {

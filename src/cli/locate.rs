@@ -1,15 +1,9 @@
 //! `dcel locate`: where points lie.
 
-use super::answer::{fields, tell};
 use super::choice::coordinate;
-use super::failure::say;
-use super::input::InputOptions;
-use super::looks::{Crop, Page};
 use super::output::point;
-use super::picture::Target;
-use super::save::Files;
 use super::subject::Subject;
-use super::{Answer, Failure, Output};
+use super::{Answer, Crop, Failure, Files, InputOptions, Output, Page, Target, fields, say, tell};
 use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};

@@ -11,7 +11,7 @@ use dcel_kit::plane::Point;
 use std::path::{Path, PathBuf};
 
 /// How a figure looks, whatever it shows. Every command that draws takes these.
-#[derive(clap::Args, Debug, Default)]
+#[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Looks")]
 pub(crate) struct Page {
     /// Width, as a number of px or with mm or cm, 100 to 20000 px; of one panel or frame, if there are several
@@ -60,10 +60,7 @@ pub(crate) struct Looks {
 #[derive(Clone, Debug)]
 pub(crate) struct Dress {
     style: Style,
-    width: Option<(f64, Unit)>,
-    plain: bool,
-    columns: Option<u16>,
-    pub(super) scale: Option<f64>,
+    page: Page,
 }
 
 /// For which pages a figure is.
@@ -112,21 +109,26 @@ impl Page {
                 .map_err(|error| Failure::input(format!("{}:{error}", path.display()), ""))?,
         };
         let style = style.theme(self.theme.unwrap_or(Theme::Auto));
-        Ok(Dress { style, width: self.width, plain: self.plain, columns: self.columns, scale: self.scale })
+        Ok(Dress { style, page: self.clone() })
     }
 }
 
 impl Dress {
     /// Adds the choices to `options`.
     pub(crate) fn put_on(&self, options: FigureOptions) -> FigureOptions {
-        let mut options = options.plain(self.plain).style(self.style.clone());
-        if let Some((px, unit)) = self.width {
+        let mut options = options.plain(self.page.plain).style(self.style.clone());
+        if let Some((px, unit)) = self.page.width {
             options = options.width(px).unit(unit);
         }
-        match self.columns {
+        match self.page.columns {
             Some(columns) => options.columns(columns.into()),
             None => options,
         }
+    }
+
+    /// The pixels for each px, if they were asked for.
+    pub(super) fn scale(&self) -> Option<f64> {
+        self.page.scale
     }
 }
 

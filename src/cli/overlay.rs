@@ -1,15 +1,10 @@
 //! `dcel overlay`: two subdivisions on each other.
 
-use super::answer::{fields, tell};
 use super::choice::number;
-use super::failure::say;
-use super::input::InputOptions;
-use super::looks::{Crop, Page};
-use super::picture::Target;
 use super::results::Moved;
 use super::save::{Files, InPlace};
 use super::subject::Subject;
-use super::{Answer, Failure, Output};
+use super::{Answer, Crop, Failure, InputOptions, Output, Page, Target, fields, say, tell};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts};

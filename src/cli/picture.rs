@@ -64,7 +64,7 @@ impl Target {
         let ending = path.and_then(Path::extension).map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let form = match (path, ending.as_deref()) {
             (None, _) | (_, None | Some("svg")) => Form::Svg,
-            (_, Some("png")) if cfg!(feature = "png") => Form::Png(dress.scale.unwrap_or(2.0)),
+            (_, Some("png")) if cfg!(feature = "png") => Form::Png(dress.scale().unwrap_or(2.0)),
             (_, Some("pdf")) if cfg!(feature = "png") => Form::Pdf,
             (Some(path), Some("png")) => return Err(not_built(path, "PNG", "")),
             (Some(path), Some("pdf")) => {
@@ -85,7 +85,7 @@ impl Target {
                 return Err(Failure::input(what, format!("end the name in {page}.svg, .png, .pdf, .tex or .tikz")));
             }
         };
-        if dress.scale.is_some() && !matches!(form, Form::Png(..)) {
+        if dress.scale().is_some() && !matches!(form, Form::Png(..)) {
             let what = "--scale is for pixels, and this would have none";
             return Err(Failure::input(what, "give a name that ends in .png, or choose the size by --width"));
         }

@@ -1,11 +1,7 @@
 //! What a command that makes a structure of the plane does with it: writes it, draws it, tells of it.
 
-use super::answer::tell;
-use super::failure::say;
-use super::looks::{Crop, Page};
-use super::picture::Target;
 use super::save::{Files, InPlace, save};
-use super::{Answer, Failure, Output};
+use super::{Answer, Crop, Failure, Output, Page, Target, say, tell};
 use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::{LeftOut, Model};
 use std::io;

@@ -7,10 +7,9 @@
 //! ```
 
 use super::film::put_frames;
-use super::looks::{Crop, Page};
 use super::picture::{Target, title};
 use super::save::{Files, put};
-use super::{Answer, Failure, Output, failure};
+use super::{Answer, Crop, Failure, Output, Page, failure};
 use dcel_kit::edits::{self, Call, Editable};
 use dcel_kit::figure::{FigureOptions, Film, Filmed, ScriptFilm, Slip, SlipError};
 use dcel_kit::io::{Format, Model, read_whole, source_name, write};

@@ -1,11 +1,9 @@
 //! `dcel triangulate`: faces into triangles, or into monotone pieces.
 
-use super::answer::fields;
 use super::choice::{Choice, one_of};
-use super::input::InputOptions;
 use super::results::Results;
 use super::subject::Kind;
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, fields};
 use dcel_kit::FaceId;
 use dcel_kit::figure;
 use dcel_kit::io::counted;

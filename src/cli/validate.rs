@@ -1,11 +1,8 @@
 //! `dcel validate`: which invariants does a structure break?
 
-use super::answer::{fields, tell};
-use super::failure::say;
-use super::input::InputOptions;
 use super::output::names;
 use super::subject::{Kind, Subject};
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, fields, say, tell};
 use dcel_kit::VertexId;
 use dcel_kit::io::{LoadError, counted, source_name};
 use dcel_kit::plane::{ConvertError, GEOMETRY_RULES, GeometryViolation, Subdivision, TableError};

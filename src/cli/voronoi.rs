@@ -1,12 +1,9 @@
 //! `dcel voronoi`: the cells of nearest sites.
 
-use super::answer::fields;
 use super::choice::number;
 use super::delaunay::tell_repeated;
-use super::failure::say;
-use super::input::InputOptions;
 use super::results::Results;
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output, fields, say};
 use dcel_kit::figure;
 use dcel_kit::io::{Model, PointList, counted};
 use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, VoronoiError, Window};

@@ -1,10 +1,7 @@
 //! Two drawings.
 
 use super::Args;
-use crate::answer::fields;
-use crate::failure::say;
-use crate::picture::Target;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, Output, Target, fields, say};
 use dcel_kit::compare::{self, CompareError, Comparison, Options, Side};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::io::source_name;

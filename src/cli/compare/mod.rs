@@ -8,11 +8,7 @@
 mod drawings;
 mod structures;
 
-use super::input::InputOptions;
-use super::save::Files;
-use super::{Answer, Failure, Output};
-use crate::looks::{Crop, Page};
-use crate::picture::Target;
+use super::{Answer, Crop, Failure, Files, InputOptions, Output, Page, Target};
 use dcel_kit::io::Format;
 use std::fs::File;
 use std::io::Read;

@@ -6,10 +6,9 @@
 //! ```
 
 use super::Args;
-use crate::answer::fields;
 use crate::output::point;
 use crate::subject::Subject;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, Output, fields};
 use dcel_kit::ids::{Element, HalfEdgeId, VertexId};
 use dcel_kit::io::counted;
 use dcel_kit::topology::{Difference, IsomorphismOptions, Matching, View, Which, first_violation, isomorphic_with};

@@ -9,11 +9,9 @@ mod algorithm;
 mod make;
 
 use super::choice::{pair, whole, within};
-use super::input::InputOptions;
-use super::looks::{Crop, Page};
 use super::picture::{Target, title};
 use super::save::{Files, put};
-use super::{Answer, Failure, Output};
+use super::{Answer, Crop, Failure, InputOptions, Output, Page};
 use crate::solid::vector;
 use algorithm::Algorithm;
 use dcel_kit::figure::{Figure, FigureOptions, SketchFilm};

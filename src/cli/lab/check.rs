@@ -3,6 +3,7 @@
 use super::super::choice::whole;
 use super::super::{Answer, Failure, Output, failure};
 use super::{folder, hint, own, progress};
+use console::Style;
 use dcel_kit::files::write_whole;
 use dcel_lab::reports::Format;
 use dcel_lab::{Lab, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
@@ -192,8 +193,9 @@ impl Bench {
             return writeln!(out, "\n{}: {message}\n\n{}", report.verdict, report.verdict.next_action());
         }
         for test in &report.tests {
-            let line = format!("{} {:<30} {}", sign(test.verdict), test.name, test.verdict);
-            writeln!(out, "  {}", coloured(test.verdict, line))?;
+            let (sign, style) = sign(test.verdict);
+            let line = format!("{sign} {:<30} {}", test.name, test.verdict);
+            writeln!(out, "  {}", style.apply_to(line))?;
             // Why a test counts although others failed, or does not although nothing is wrong.
             if matches!(test.verdict, Verdict::Passed | Verdict::Skipped) && !test.message.is_empty() {
                 writeln!(out, "      {}", test.message)?;
@@ -244,20 +246,11 @@ impl Bench {
     }
 }
 
-/// A line in the colour of a verdict, on a terminal that wants colours.
-fn coloured(verdict: Verdict, line: String) -> console::StyledObject<String> {
-    let line = console::style(line);
+/// How the line of a test begins, and how it looks.
+fn sign(verdict: Verdict) -> (char, Style) {
     match verdict {
-        Verdict::Passed => line.green(),
-        Verdict::Unattempted | Verdict::Skipped => line.dim(),
-        _ => line.red(),
-    }
-}
-
-fn sign(verdict: Verdict) -> char {
-    match verdict {
-        Verdict::Passed => '+',
-        Verdict::Unattempted | Verdict::Skipped => ' ',
-        _ => '-',
+        Verdict::Passed => ('+', Style::new().green()),
+        Verdict::Unattempted | Verdict::Skipped => (' ', Style::new().dim()),
+        _ => ('-', Style::new().red()),
     }
 }

@@ -1,7 +1,6 @@
 //! `dcel lab list`: which labs there are, and what each asks for.
 
-use super::super::answer::fields;
-use super::super::{Answer, Failure, Output, output};
+use super::super::{Answer, Failure, Output, fields, output};
 use super::lab;
 use dcel_lab::{Lab, LabFiles, Task, Test};
 use serde::Serialize;

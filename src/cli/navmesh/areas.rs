@@ -184,7 +184,7 @@ pub(super) fn cut_along(
     source: &str,
     map: &mut Subdivision,
     place: impl Fn([f64; 2]) -> Point,
-) -> Result<bool, Failure> {
+) -> Result<(), Failure> {
     let outlines: Vec<Vec<Point>> = areas
         .iter()
         .filter_map(|area| match &area.place {
@@ -193,7 +193,7 @@ pub(super) fn cut_along(
         })
         .collect();
     if outlines.is_empty() {
-        return Ok(false);
+        return Ok(());
     }
     let failure = |error: &dyn std::fmt::Display| Failure::input(format!("{source}: --cost: {error}"), "");
     let before = PointIndex::new(map.clone());
@@ -218,7 +218,7 @@ pub(super) fn cut_along(
             map.set_hole(f, true);
         }
     }
-    Ok(true)
+    Ok(())
 }
 
 /// The mean of points.

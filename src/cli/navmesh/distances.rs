@@ -1,8 +1,7 @@
 //! `dcel navmesh distances`: how far everything is from one place.
 
-use super::super::answer::{fields, tell};
 use super::super::output::{names, point as told, table};
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields, tell};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Snap, Wish};
 use super::extras::{CostArgs, LinkArgs};
@@ -79,10 +78,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Input::Space(ground) => return space::distances::run(&ground, args, target.as_ref(), out),
     };
     let map = args.map.open_draft(draft, &args.costs.cost)?;
-    let Some([start]) = map.flat(&args.start)? else {
-        let what = format!("{} numbers are no point", args.start.len());
-        return Err(map.no_points(&what, &args.start, 1, "give x and y"));
-    };
+    let what = format!("{} numbers are no point", args.start.len());
+    let [start] = map.points(&args.start, &what, "give x and y")?;
     let wish = Wish { what: "start", coordinates: start, face: args.start_face };
     let End { asked, places, moved } = args.snap.wished(&map, &wish)?;
     from_each(&point(&map, asked), ON_SIDES, places.iter().map(|place| place.face));

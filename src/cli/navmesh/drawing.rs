@@ -1,10 +1,6 @@
 //! The figure of a command: where it goes, and how large it is.
 
-use super::super::Output;
-use super::super::failure::{Failure, say};
-use super::super::looks::{Crop, Page};
-use super::super::picture::Target;
-use super::super::save::Files;
+use super::super::{Crop, Failure, Files, Output, Page, Target, say};
 use super::map::Map;
 use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{Figure, FigureOptions};

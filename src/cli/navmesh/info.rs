@@ -1,16 +1,15 @@
 //! `dcel navmesh info`: what a map is, and what is wrong with it.
 
-use super::super::answer::tell;
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, tell};
 use super::drawing::{Drawing, save};
 use super::map::Map;
-use super::reading::{Draft, Input, MapArgs};
+use super::reading::{Input, MapArgs};
 use super::space;
 use super::tell::{Told, sizes, tell_helps};
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::io::{Document, Number, counted};
+use dcel_kit::io::{Number, counted};
 use dcel_kit::navmesh::double_corners_of;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -93,15 +92,13 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     };
     let mut told = Vec::new();
-    if let Draft::Polygons { read, faults, .. } = &draft
-        && let Document::Polygons(soup) = &read.document
-    {
-        let frame = args.map.frame(read.format);
-        told.extend(faults.iter().map(|fault| Told::of(fault, soup, frame)));
+    if let Some((soup, format)) = draft.polygons() {
+        let frame = args.map.frame(format);
+        told.extend(draft.faults.iter().map(|fault| Told::of(fault, soup, frame)));
         // What is not convex can be cut up; the rest keeps a map from being made.
         let cut_up = |kind| args.map.cuts_up() && kind == "not-convex";
         if told.iter().any(|fault| !fault.warning && !cut_up(fault.kind)) {
-            return refuse(args, read.format.name(), told, out);
+            return refuse(args, format.name(), told, out);
         }
         told.retain(|fault| !cut_up(fault.kind));
     }

@@ -1,8 +1,7 @@
 //! `dcel navmesh path --link`: a path over the map and over links.
 
-use super::super::answer::fields;
 use super::super::output::point as told;
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields};
 use super::ends::{End, Wish, choose_side};
 use super::extras::Links;
 use super::map::Map;

@@ -1,8 +1,7 @@
 //! `dcel navmesh locate`: where points lie.
 
-use super::super::answer::{fields, tell};
 use super::super::output::{names, table};
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields, tell};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs};

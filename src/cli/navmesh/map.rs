@@ -83,13 +83,21 @@ impl Map {
         Ok(Some(points))
     }
 
-    /// What to say if numbers are no points of the map: that it has no heights, if these are points of space.
-    pub(super) fn no_points(&self, what: &str, numbers: &[f64], points: usize, help: &str) -> Failure {
-        if numbers.len() == 3 * points {
-            let why = "three coordinates are for floors in space (--up) that are measured along the surface";
-            return Failure::input(format!("{}: {why}", self.source), help);
+    /// So many points; `what` is wrong if there are others.
+    pub(super) fn points<const N: usize>(
+        &self,
+        numbers: &[f64],
+        what: &str,
+        help: &str,
+    ) -> Result<[[f64; 2]; N], Failure> {
+        if let Some(points) = self.flat(numbers)? {
+            return Ok(points);
         }
-        Failure::input(what, help)
+        if numbers.len() == 3 * N {
+            let why = "three coordinates are for floors in space (--up) that are measured along the surface";
+            return Err(Failure::input(format!("{}: {why}", self.source), help));
+        }
+        Err(Failure::input(what, help))
     }
 
     /// The same map without the margin of a radius.

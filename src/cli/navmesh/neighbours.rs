@@ -1,8 +1,7 @@
 //! `dcel navmesh neighbours`: what lies next to a face.
 
-use super::super::answer::fields;
 use super::super::output::table;
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields, tell};
 use super::reading::MapArgs;
 use super::tell::point;
 use dcel_kit::FaceId;
@@ -66,18 +65,16 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         portal: mesh.portal(f).map(|portal| portal.to_string()),
         sides,
     };
-    if args.json {
-        return out.json(&answer);
-    }
-    let open = answer.sides.iter().filter(|side| side.open).count();
-    write!(out, "{f}: {} sides, {open} of them portals", answer.sides.len())?;
-    if let Some(component) = mesh.component(f) {
-        write!(out, "; {component}")?;
-    }
-    match &answer.portal {
-        Some(portal) => writeln!(out, "; a dead end, left by {portal}")?,
-        None => writeln!(out)?,
-    }
-    table(out, &rows)?;
-    Ok(Answer::Yes)
+    tell(&answer, args.json, out, |out| {
+        let open = answer.sides.iter().filter(|side| side.open).count();
+        write!(out, "{f}: {} sides, {open} of them portals", answer.sides.len())?;
+        if let Some(component) = mesh.component(f) {
+            write!(out, "; {component}")?;
+        }
+        match &answer.portal {
+            Some(portal) => writeln!(out, "; a dead end, left by {portal}")?,
+            None => writeln!(out)?,
+        }
+        table(out, &rows)
+    })
 }

@@ -1,7 +1,6 @@
 //! `dcel navmesh path`: a way by one path algorithm, or by all of them.
 
-use super::super::answer::{fields, tell};
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields, tell};
 use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish, choose_side};
 use super::extras::{Extras, Links};
@@ -194,10 +193,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("{}: a map of the plane has one layer", args.map.source()), "leave it out"));
     }
     let whole = args.map.open_draft(draft, &args.extras.costs.cost)?;
-    let Some([from, to]) = whole.flat(&args.ends)? else {
-        let help = "give x y of the start and x y of the goal";
-        return Err(whole.no_points("a path has two ends", &args.ends, 2, help));
-    };
+    let help = "give x y of the start and x y of the goal";
+    let [from, to] = whole.points(&args.ends, "a path has two ends", help)?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset_within(radius, args.tolerance);

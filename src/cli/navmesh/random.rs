@@ -1,9 +1,8 @@
 //! `dcel navmesh random`: points at random.
 
-use super::super::answer::fields;
 use super::super::choice::whole;
 use super::super::output::names;
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields};
 use super::reading::{Input, MapArgs};
 use dcel_kit::navmesh::QueryPoint;
 use serde::Serialize;

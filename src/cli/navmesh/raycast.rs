@@ -1,10 +1,9 @@
 //! `dcel navmesh raycast`: the first wall on a straight line.
 
-use super::super::answer::fields;
-use super::super::{Answer, Failure, Output};
+use super::super::output::names;
+use super::super::{Answer, Failure, Output, fields, tell};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Snap, Wish};
-use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
 use super::routes::{ON_SIDES, furthest};
@@ -61,10 +60,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Input::Space(ground) => return space::raycast::run(&ground, args, target.as_ref(), out),
     };
     let map = args.map.open_draft(draft, &[])?;
-    let Some([from, to]) = map.flat(&args.ends)? else {
-        let help = "give x y of the start and x y of the end";
-        return Err(map.no_points("a line has two ends", &args.ends, 2, help));
-    };
+    let help = "give x y of the start and x y of the end";
+    let [from, to] = map.points(&args.ends, "a line has two ends", help)?;
     let wish = Wish { what: "start", coordinates: from, face: args.start_face };
     let End { asked, places, moved } = args.snap.wished(&map, &wish)?;
     let end = map.point(to);
@@ -81,42 +78,30 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let options = target.options(&map, &format!("A ray through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).ray([start, end], &cast, &options), out)?;
     }
-    if args.json {
-        let hit = cast.hit.map(|hit| {
-            fields! {
-                point: map.in_file(hit.point),
-                distance: hit.distance,
-                half_edge: hit.half_edge.to_string(),
-                face: hit.face.to_string(),
-                vertex: hit.vertex.map(|v| v.to_string()),
-            }
-        });
-        let faces: Vec<String> = cast.faces.iter().map(ToString::to_string).collect();
-        let [start, end] = [start, end].map(|p| map.in_file(p));
-        out.json(&fields! { source: map.source, start, start_moved: moved, end, clear: hit.is_none(), hit, faces })?;
-    } else {
-        tell(&map, [start, end], &cast, out)?;
-    }
-    Ok(Answer::Yes)
-}
-
-fn tell(map: &Map, [start, end]: [dcel_kit::plane::Point; 2], cast: &Raycast, out: &mut Output) -> Result<(), Failure> {
-    let through = faces(cast.faces.len());
-    match cast.hit {
-        None => {
+    let answer = fields! {
+        source: &map.source,
+        start: map.in_file(start),
+        start_moved: moved,
+        end: map.in_file(end),
+        clear: cast.hit.is_none(),
+        hit: cast.hit.map(|hit| fields! {
+            point: map.in_file(hit.point),
+            distance: hit.distance,
+            half_edge: hit.half_edge.to_string(),
+            face: hit.face.to_string(),
+            vertex: hit.vertex.map(|v| v.to_string()),
+        }),
+        faces: names(&cast.faces),
+    };
+    tell(&answer, args.json, out, |out| {
+        let through = faces(cast.faces.len());
+        let Some(hit) = cast.hit else {
             let length = (end.x - start.x).hypot(end.y - start.y);
-            writeln!(
-                out,
-                "clear: {} is in sight of {}, {length} away, through {through}",
-                point(map, end),
-                point(map, start)
-            )?;
-        }
-        Some(hit) => {
-            let vertex = hit.vertex.map(|v| format!(" at its end {v}")).unwrap_or_default();
-            let (at, half_edge, face) = (point(map, hit.point), hit.half_edge, hit.face);
-            writeln!(out, "hit: {half_edge} of {face}{vertex}, at {at}, {} away, through {through}", hit.distance)?;
-        }
-    }
-    Ok(())
+            let [start, end] = [start, end].map(|p| point(&map, p));
+            return writeln!(out, "clear: {end} is in sight of {start}, {length} away, through {through}");
+        };
+        let vertex = hit.vertex.map(|v| format!(" at its end {v}")).unwrap_or_default();
+        let (at, half_edge, face) = (point(&map, hit.point), hit.half_edge, hit.face);
+        writeln!(out, "hit: {half_edge} of {face}{vertex}, at {at}, {} away, through {through}", hit.distance)
+    })
 }

@@ -104,14 +104,33 @@ pub(super) enum Input {
 }
 
 /// What was read, before it is a map.
-pub(super) enum Draft {
-    /// Polygons that are not joined yet, and what is wrong with them as a navmesh; how high they lie in space, if
-    /// all of them are level.
-    Polygons { read: Read, faults: Vec<MeshFault>, level: Option<Level> },
+pub(super) struct Draft {
+    source: Source,
+    /// What is wrong with the polygons as a navmesh.
+    pub(super) faults: Vec<MeshFault>,
+    /// How high the polygons lie in space, if all of them are level.
+    level: Option<Level>,
+}
+
+enum Source {
     /// The regions of a grid map.
     Regions(Subdivision),
-    /// Anything else.
-    Other(Read),
+    /// Anything else. Polygons are not joined yet.
+    Read(Read),
+}
+
+impl Draft {
+    fn new(source: Source) -> Self {
+        Self { source, faults: Vec::new(), level: None }
+    }
+
+    /// The polygons of the file, if it has such, and its format.
+    pub(super) fn polygons(&self) -> Option<(&PolygonSoup, Format)> {
+        match &self.source {
+            Source::Read(Read { document: Document::Polygons(soup), format, .. }) => Some((soup, *format)),
+            _ => None,
+        }
+    }
 }
 
 impl MapArgs {
@@ -178,7 +197,7 @@ impl MapArgs {
         if self.is_grid() && self.triangles {
             let grid = Grid::parse(&read_whole(&self.file)?, &self.source())?;
             let regions = grid.regions().map_err(|error| Failure::about(self.source(), error))?;
-            return plane(Draft::Regions(regions));
+            return plane(Draft::new(Source::Regions(regions)));
         }
         let options = ReadOptions {
             y_down: self.y_down,
@@ -203,7 +222,7 @@ impl MapArgs {
                 let what = format!("{}: {flag} cannot be used on {}: it is for polygons", self.source(), read.format);
                 return Err(Failure::input(what, format!("leave {flag} out")));
             }
-            return plane(Draft::Other(read));
+            return plane(Draft::new(Source::Read(read)));
         };
         let in_space = soup.has_z;
         let mut level = None;
@@ -239,7 +258,7 @@ impl MapArgs {
         }
         // What is mended is judged afterwards.
         let faults = if self.mend { Vec::new() } else { faults_of(&with_touching_corners(soup), self.orient) };
-        plane(Draft::Polygons { read, faults, level })
+        plane(Draft { source: Source::Read(read), faults, level })
     }
 
     /// Refuses what can do nothing with the cells of a grid map.
@@ -362,11 +381,10 @@ impl MapArgs {
 
     /// Makes a map of what was read, cut along the sides of areas. Tells what nearly meets.
     pub(super) fn open_draft(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
-        if let Draft::Polygons { read, faults, .. } = &draft
-            && let Document::Polygons(soup) = &read.document
-        {
+        if let Some((soup, format)) = draft.polygons() {
+            let faults = &draft.faults;
             let near = faults.iter().filter(|fault| fault.kind() == "nearly-welded");
-            let frame = self.frame(read.format);
+            let frame = self.frame(format);
             let told = |fault| Told::of(fault, soup, frame);
             warn_of(&near.map(|fault| (told(fault), fault)).collect::<Vec<_>>());
             // The same advice as dcel navmesh info has for it.
@@ -387,19 +405,12 @@ impl MapArgs {
     pub(super) fn finish(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
         let source = self.source();
         // Polygons that are mended are no faces of the file any more.
-        let mut names = match &draft {
-            Draft::Polygons { read: Read { document: Document::Polygons(soup), .. }, .. } if !self.mend => {
-                Names::of(soup)
-            }
-            _ => Names::default(),
-        };
-        let level = match &draft {
-            Draft::Polygons { level, .. } => *level,
-            _ => None,
-        };
-        let (mut subdivision, format) = match draft {
-            Draft::Regions(regions) => (regions, Format::Map),
-            Draft::Polygons { read, .. } | Draft::Other(read) => {
+        let polygons = draft.polygons().filter(|_| !self.mend);
+        let mut names = polygons.map_or_else(Names::default, |(soup, _)| Names::of(soup));
+        let level = draft.level;
+        let (mut subdivision, format) = match draft.source {
+            Source::Regions(regions) => (regions, Format::Map),
+            Source::Read(read) => {
                 let format = read.format;
                 let mode = Some(Mode::Plane);
                 let options = LoadOptions { mode, orient: self.orient, mend: self.mend, ..LoadOptions::default() };

@@ -1,9 +1,7 @@
 //! Paths as they are told, of maps and of floors in space: one by one, compared, over links.
 
-use super::super::answer::fields;
-use super::super::failure::say;
 use super::super::output::{names, point, table};
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields, say};
 use super::extras::Links;
 use super::tell::faces;
 use dcel_kit::io::counted;

@@ -1,9 +1,7 @@
 //! `dcel navmesh scenario`: every query of a file against its stated length.
 
-use super::super::answer::{fields, tell};
 use super::super::choice::{Choice, one_of};
-use super::super::failure::say;
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, fields, say, tell};
 use super::ends::{Moves, Snap};
 use super::map::Map;
 use super::numbers::number;

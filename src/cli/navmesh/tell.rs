@@ -1,8 +1,7 @@
 //! Words and JSON forms that several commands have in common.
 
-use super::super::Output;
-use super::super::failure::say;
 use super::super::output;
+use super::super::{Output, say};
 use super::map::{Frame, Map};
 use dcel_kit::io::{PolygonSoup, counted};
 use dcel_kit::navmesh::{FaultNames, Location, MeshFault, QueryPointError, RouteError};

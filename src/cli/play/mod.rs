@@ -2,9 +2,8 @@
 //!
 //! The page is made by `figures/playground/builder`, never by hand; the library carries it, as all that lies in `figures/`.
 
-use super::input::InputOptions;
 use super::save::{Files, put};
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output};
 use dcel_kit::io::{Format, read_whole, source_name, write};
 use dcel_kit::play::{Session, Tone, page_with};
 use dcel_kit::sources::PLAYGROUND;

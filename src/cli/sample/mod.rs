@@ -1,9 +1,8 @@
 //! `dcel sample`: small inputs to try the commands on. The examples of all help texts use them.
 
-use super::answer::tell;
 use super::output::table;
 use super::save::put;
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, Output, tell};
 use dcel_kit::io::closest;
 use dcel_kit::sources;
 use serde::Serialize;

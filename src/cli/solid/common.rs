@@ -1,13 +1,10 @@
 //! What the commands on solids share: reading, writing, and the short answer.
 
-use crate::answer::{fields, tell};
 use crate::choice::numbers;
-use crate::failure::Failure;
-use crate::input::InputOptions;
 use crate::output::counts;
 use crate::save::{Files, InPlace, save_as};
 use crate::subject::Kind;
-use crate::{Answer, Output};
+use crate::{Answer, Failure, InputOptions, Output, fields, tell};
 use dcel_kit::io::{Document, Format, Model, ReadOptions, ReadProblem, read_path, source_name};
 use dcel_kit::solid::{Direction, PartCounts, Polyhedron};
 use std::io::Write;

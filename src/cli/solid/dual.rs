@@ -1,8 +1,7 @@
 //! `dcel solid dual`: faces become vertices.
 
 use super::common::{Target, open, refused};
-use crate::input::InputOptions;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, InputOptions, Output};
 use dcel_kit::solid::DualPositions;
 use std::path::PathBuf;
 

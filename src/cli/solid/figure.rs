@@ -2,11 +2,7 @@
 
 use super::common::{open, vector};
 use crate::choice::number;
-use crate::input::InputOptions;
-use crate::looks::Page;
-use crate::picture::Target;
-use crate::save::Files;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, Files, InputOptions, Output, Page, Target};
 use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
 use std::path::PathBuf;
 

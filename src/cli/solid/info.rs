@@ -1,10 +1,8 @@
 //! `dcel solid info`: counts, angles, curvature, volume, shape.
 
 use super::common::open;
-use crate::answer::{fields, tell};
-use crate::input::InputOptions;
 use crate::output::counts;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, InputOptions, Output, fields, tell};
 use dcel_kit::io::{counted, source_name};
 use dcel_kit::solid::PartCounts;
 use std::fmt::Display;

@@ -1,11 +1,8 @@
 //! `dcel solid schlegel`: a convex solid seen through a face, as a structure of the plane.
 
 use super::common::{open, refused};
-use crate::input::InputOptions;
-use crate::looks::{Crop, Page};
-use crate::picture::Target;
 use crate::save::{Files, InPlace, save};
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Crop, Failure, InputOptions, Output, Page, Target};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::ids::FaceId;
 use dcel_kit::io::Model;

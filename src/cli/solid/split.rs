@@ -1,9 +1,8 @@
 //! `dcel solid split`: a face cut in two.
 
 use super::common::{Target, open, refused};
-use crate::input::InputOptions;
 use crate::output::names;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, InputOptions, Output};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
 use dcel_kit::topology::PolygonList;

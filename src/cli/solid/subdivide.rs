@@ -2,8 +2,7 @@
 
 use super::common::{Target, check_finer, open, refused};
 use crate::choice::{number, within};
-use crate::input::InputOptions;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, InputOptions, Output};
 use dcel_kit::EdgeId;
 use dcel_kit::solid::{Polyhedron, Selection};
 use std::path::PathBuf;

@@ -1,10 +1,8 @@
 //! `dcel solid support`: the vertex furthest in a direction, and the way there.
 
 use super::common::{direction, open, refused, vector};
-use crate::answer::fields;
-use crate::input::InputOptions;
 use crate::output::point;
-use crate::{Answer, Failure, Output};
+use crate::{Answer, Failure, InputOptions, Output, fields, tell};
 use dcel_kit::ids::VertexId;
 use std::io::Write;
 use std::path::PathBuf;
@@ -49,12 +47,11 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let path = convex.climb(direction, start);
     let last = path.last().copied().unwrap_or(start);
     let names: Vec<String> = path.iter().map(ToString::to_string).collect();
-    if args.json {
-        let (vertex, position) = (last.to_string(), solid.point(last));
-        // The path has every vertex on the way, the first and the last included.
-        return out.json(&fields! { vertex, position, path: names, vertices: solid.vertex_count() });
-    }
-    writeln!(out, "{last} at {}", point(&solid.point(last)))?;
-    writeln!(out, "  {} of {} vertices met: {}", names.len(), solid.vertex_count(), names.join(" "))?;
-    Ok(Answer::Yes)
+    let (vertex, position) = (last.to_string(), solid.point(last));
+    // The path has every vertex on the way, the first and the last included.
+    let answer = fields! { vertex, position, path: names, vertices: solid.vertex_count() };
+    tell(&answer, args.json, out, |out| {
+        writeln!(out, "{last} at {}", point(&position))?;
+        writeln!(out, "  {} of {} vertices met: {}", answer.path.len(), answer.vertices, answer.path.join(" "))
+    })
 }

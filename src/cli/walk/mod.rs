@@ -19,9 +19,8 @@ mod faces;
 mod names;
 mod which;
 
-use super::input::InputOptions;
 use super::subject::Subject;
-use super::{Answer, Failure, Output};
+use super::{Answer, Failure, InputOptions, Output};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::path::PathBuf;
 

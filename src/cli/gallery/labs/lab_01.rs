@@ -1,6 +1,6 @@
 //! The reference figure of lab 01.
 
-use crate::gallery::Made;
+use super::Made;
 use dcel_kit::figure::FigureOptions;
 
 /// The map of wrong signs that lab 01 asks for.

@@ -1,7 +1,6 @@
 //! The figures of lab 03.
 
-use super::{dots, outline};
-use crate::gallery::Made;
+use super::{Made, dots, outline};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::plane::predicates::orientation;

@@ -1,7 +1,6 @@
 //! The reference figures of lab 04.
 
-use super::dots;
-use crate::gallery::Made;
+use super::{Made, dots};
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, Overrides};
 use dcel_kit::script::Script;

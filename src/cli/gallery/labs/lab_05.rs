@@ -1,7 +1,6 @@
 //! The figures of lab 05: the reference, and how the list becomes a structure.
 
-use crate::gallery::Made;
-use crate::gallery::films::strip;
+use super::Made;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, SketchFilm};
 use dcel_kit::plane::{Point, Subdivision};
@@ -84,7 +83,7 @@ pub(in crate::gallery) fn film(options: &FigureOptions) -> Made<String> {
     arrows(&mut sketch, &border, Role::Main, "half-edge of the outer face");
     corners(&mut sketch);
     film.frame("The border", "what still waits gets a twin in the outer face", sketch);
-    strip(&film, options)
+    Ok(film.strip(options)?.to_svg())
 }
 
 fn corners(sketch: &mut Sketch) {

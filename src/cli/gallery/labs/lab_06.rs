@@ -1,7 +1,6 @@
 //! The reference figures of lab 06.
 
-use super::dots;
-use crate::gallery::Made;
+use super::{Made, dots};
 use dcel_kit::HalfEdgeId;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};

@@ -1,8 +1,6 @@
 //! The figures of lab 07: the reference, and what a flip does to the records.
 
-use super::dots;
-use crate::gallery::Made;
-use crate::gallery::lesson::triangles;
+use super::{Made, dots, triangles};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision};

@@ -1,7 +1,6 @@
 //! The figure of lab 08.
 
-use super::dots;
-use crate::gallery::Made;
+use super::{Made, dots};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision, Window};

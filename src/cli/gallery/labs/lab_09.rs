@@ -1,8 +1,6 @@
 //! The figures of lab 09.
 
-use super::{dots, euler};
-use crate::gallery::Made;
-use crate::gallery::films::strip;
+use super::{Made, dots, euler};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
 use dcel_kit::figure::{FigureOptions, SketchFilm};
 use dcel_kit::ids::{HalfEdgeId, VertexId};
@@ -88,5 +86,5 @@ pub(in crate::gallery) fn film(options: &FigureOptions) -> Made<String> {
         tip = new.twin();
         corner = square.next(corner);
     }
-    strip(&film, options)
+    Ok(film.strip(options)?.to_svg())
 }

@@ -1,8 +1,6 @@
 //! The figures of lab 10.
 
-use super::{dots, euler};
-use crate::gallery::films::strip;
-use crate::gallery::{Made, lesson};
+use super::{Made, dots, euler, lesson};
 use dcel_kit::figure::sketch::{Backdrop, Glyph, Multiples, Role, Sketch};
 use dcel_kit::figure::{FigureOptions, SketchFilm};
 use dcel_kit::ids::FaceId;
@@ -61,7 +59,7 @@ pub(in crate::gallery) fn film(options: &FigureOptions) -> Made<String> {
         let mut sketch = Sketch::new();
         let Some(h) = goes else {
             film.over("One face is left: the edges are a tree", &euler(&cube), &cube, Backdrop::Plain, sketch);
-            return strip(&film, options);
+            return Ok(film.strip(options)?.to_svg());
         };
         sketch.path(Role::Wrong, [cube.origin(h), cube.destination(h)].map(|v| cube.point(v))).key("goes next");
         let [left, right] = [h, h.twin()].map(|h| cube.face(h));

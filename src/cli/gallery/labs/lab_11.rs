@@ -1,7 +1,6 @@
 //! The reference figures of lab 11.
 
-use super::outline;
-use crate::gallery::Made;
+use super::{Made, outline};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_lab::cases::handouts::GEM;

@@ -16,6 +16,8 @@ pub(super) mod lab_09;
 pub(super) mod lab_10;
 pub(super) mod lab_11;
 
+use super::lesson::triangles;
+use super::{Made, lesson};
 use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision};
 

@@ -1,7 +1,6 @@
 //! `dcel navmesh info` on a floor whose heights differ.
 
-use super::super::super::answer::fields;
-use super::super::super::{Answer, Failure, Output};
+use super::super::super::{Answer, Failure, Output, fields};
 use super::super::drawing::{Canvas, save};
 use super::super::tell::{Told, sizes};
 use super::Ground;

@@ -1,8 +1,7 @@
 //! `dcel navmesh locate` on a floor whose heights differ: every storey at a point.
 
-use super::super::super::answer::fields;
 use super::super::super::output::point as told;
-use super::super::super::{Answer, Failure, Output};
+use super::super::super::{Answer, Failure, Output, fields};
 use super::Ground;
 use dcel_kit::navmesh::Floor;
 use std::io::Write;

@@ -1,8 +1,7 @@
 //! `dcel navmesh path` on a floor whose heights differ.
 
-use super::super::super::answer::tell;
 use super::super::super::output::point as told;
-use super::super::super::{Answer, Failure, Output};
+use super::super::super::{Answer, Failure, Output, tell};
 use super::super::drawing::{Canvas, save};
 use super::super::extras::Links;
 use super::super::path::Args;

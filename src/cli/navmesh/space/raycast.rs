@@ -1,8 +1,7 @@
 //! `dcel navmesh raycast` on a floor whose heights differ.
 
-use super::super::super::answer::fields;
 use super::super::super::output::point as told;
-use super::super::super::{Answer, Failure, Output};
+use super::super::super::{Answer, Failure, Output, fields, tell};
 use super::super::drawing::{Canvas, save};
 use super::super::raycast::Args;
 use super::super::routes::{WHERE_FACES_TOUCH, furthest};
@@ -62,28 +61,19 @@ pub(in super::super) fn run(
         length: cast.length,
         faces: cast.faces.iter().map(ToString::to_string).collect::<Vec<_>>(),
     };
-    if args.json {
-        return out.json(&answer);
-    }
-    let through = faces(answer.faces.len());
-    let length = answer.length;
-    match &answer.hit {
-        None => {
-            let ends = [&answer.start, &answer.end].map(|p| told(p));
-            writeln!(
-                out,
-                "clear: {} is in sight of {} in the plan, {length} away along the surface, through {through}",
-                ends[1], ends[0]
-            )?;
+    tell(&answer, args.json, out, |out| {
+        let through = faces(answer.faces.len());
+        let away = format!("{} away along the surface", answer.length);
+        match &answer.hit {
+            None => {
+                let [start, end] = [&answer.start, &answer.end].map(|p| told(p));
+                writeln!(out, "clear: {end} is in sight of {start} in the plan, {away}, through {through}")
+            }
+            Some(hit) => {
+                let vertex = hit.vertex.as_ref().map(|v| format!(" at its end {v}")).unwrap_or_default();
+                let (face, [a, b], at) = (&hit.face, &hit.side, told(&hit.point));
+                writeln!(out, "hit: the side {a} {b} of {face}{vertex}, at {at}, {away}, through {through}")
+            }
         }
-        Some(hit) => {
-            let vertex = hit.vertex.as_ref().map(|v| format!(" at its end {v}")).unwrap_or_default();
-            let (face, [a, b], at) = (&hit.face, &hit.side, told(&hit.point));
-            writeln!(
-                out,
-                "hit: the side {a} {b} of {face}{vertex}, at {at}, {length} away along the surface, through {through}"
-            )?;
-        }
-    }
-    Ok(Answer::Yes)
+    })
 }
