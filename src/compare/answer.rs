@@ -1,7 +1,7 @@
 //! The answer of a comparison: the verdict, the layer that decided, what differs, in words and for a picture.
 
 use super::graph::Graph;
-use super::report::{Difference, Layer};
+use super::report::{Difference, Layer, counted};
 use super::sketch::Sketch;
 use crate::topology::Table;
 use std::fmt::Write;
@@ -69,8 +69,7 @@ impl Comparison {
         let name = self.layer.name();
         match self.differences.len() {
             0 => format!("equal (same {name})"),
-            1 => format!("differs in its {name}: 1 difference"),
-            n => format!("differs in its {name}: {n} differences"),
+            n => format!("differs in its {name}: {}", counted(n, "difference", "differences")),
         }
     }
 

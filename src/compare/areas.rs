@@ -7,6 +7,7 @@
 use super::drawn::Critic;
 use super::graph::Graph;
 use super::ink::Hidden;
+use super::pairing::{edge_by, ring_sides};
 use super::report::{GROUP, Kind, Spot, counted, listed};
 use super::rings;
 use super::sketch::Outline;
@@ -75,17 +76,14 @@ impl Critic<'_> {
             }
         }
         let missing = faces.values().filter(|(_, count)| *count == 0).map(|(i, _)| &expected[*i]);
-        let missing: Vec<&Outline> = missing.collect();
-        let excused = missing.iter().filter(|outline| excuses.expected(outline)).count();
-        if excused > 0 {
-            let count =
-                counted(excused, "face lies beside what differs and is", "faces lie beside what differs and are");
-            self.notes.push(format!("{count} not compared"));
+        let (excused, missing): (Vec<&Outline>, Vec<&Outline>) = missing.partition(|face| excuses.expected(face));
+        if !excused.is_empty() {
+            let (one, many) = ("face lies beside what differs and is", "faces lie beside what differs and are");
+            self.notes.push(counted(excused.len(), one, many) + " not compared");
         }
         if outer > 0 || self.fills_hole {
             self.notes.push("the outer face, or a hole, is filled, too".to_owned());
         }
-        let missing: Vec<&Outline> = missing.into_iter().filter(|outline| !excuses.expected(outline)).collect();
         self.tell(&missing, ["is not filled", "are not filled"]);
         let paper = ["cannot be told from the paper: fill it with another colour", "cannot be told from the paper"];
         let clip = ["cannot be seen: its clip-path cuts it off", "cannot be seen, their clip-path cuts them off"];
@@ -151,10 +149,7 @@ struct Excuses {
 impl Excuses {
     fn new(critic: &Critic<'_>) -> Self {
         let matched = critic.matched;
-        let translated = |edge: &[u32; 2]| {
-            let [a, b] = edge.map(|m| matched.to_expected[m as usize]);
-            a.zip(b).map(|(a, b)| [a, b])
-        };
+        let translated = |edge: &[u32; 2]| edge_by(*edge, &matched.to_expected);
         let mut out = Self {
             missing: matched.missing.clone(),
             extra: matched.extra.clone(),
@@ -193,6 +188,5 @@ impl Excuses {
 
 /// The sides of an outline, the smaller number first.
 fn sides(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    let ahead = ring.iter().skip(1).chain(ring.first());
-    ring.iter().zip(ahead).map(|(&a, &b)| [a.min(b), a.max(b)])
+    ring_sides(ring).map(|[a, b]| [a.min(b), a.max(b)])
 }

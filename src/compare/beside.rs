@@ -97,8 +97,7 @@ impl Trim {
     pub(super) fn all(drawing: &Drawing, edges: Vec<[Point; 2]>) -> Self {
         let mut border = vec![false; drawing.lines.len()];
         for frame in borders(drawing, true) {
-            let along = drawing.lines.iter().filter(|line| line.hidden.is_none() && frame.has(line));
-            if along.count() == 0 {
+            if !drawing.lines.iter().any(|line| line.hidden.is_none() && frame.has(line)) {
                 continue;
             }
             // With a frame go its ticks.
@@ -106,12 +105,8 @@ impl Trim {
                 *border |= frame.has(line) || frame.extent.is_outside(&line.ends, frame.slack());
             }
         }
-        let mut tight = vec![false; drawing.lines.len()];
-        for frame in borders(drawing, false) {
-            for (line, tight) in drawing.lines.iter().zip(&mut tight) {
-                *tight |= frame.has(line);
-            }
-        }
+        let inner = borders(drawing, false);
+        let tight = drawing.lines.iter().map(|line| inner.iter().any(|frame| frame.has(line))).collect();
         Self { border, tight, called: Called::Any, edges }
     }
 }
@@ -288,14 +283,8 @@ impl Extent {
     /// Whether a line begins on the border or beyond it and goes away from it, as a tick.
     pub(super) fn is_left_by(&self, ends: [Point; 2]) -> bool {
         let slack = 1e-3 * self.size();
-        let leaves = |of: &dyn Fn(Point) -> f64| {
-            let far = ends.map(of);
-            far.iter().all(|far| *far >= -slack) && far.iter().any(|far| *far > slack)
-        };
-        leaves(&|p| self.low.x - p.x)
-            || leaves(&|p| p.x - self.high.x)
-            || leaves(&|p| self.low.y - p.y)
-            || leaves(&|p| p.y - self.high.y)
+        let far = ends.map(|p| [self.low.x - p.x, p.x - self.high.x, self.low.y - p.y, p.y - self.high.y]);
+        (0..4).any(|side| far.iter().all(|far| far[side] >= -slack) && far.iter().any(|far| far[side] > slack))
     }
 
     /// Whether no point of a line or a dot lies within.
@@ -327,13 +316,12 @@ pub(super) fn kind(outline: &Outline, corners: &[Point], snap: &Snap, around: &E
     }
     if !corners.iter().any(|&p| snap.is_known(p)) {
         let own = Extent::around(corners.to_vec());
-        let (low, high) = (own.low, own.high);
         let slack = 1e-3 * size;
         if own.holds(around.low, -slack) && own.holds(around.high, -slack) && holds_all(corners, around, slack) {
             return Area::Paper;
         }
         let is_clear = around.is_clear_of(corners);
-        if distance(low, high) <= SMALL * size || is_clear && (outline.aside || outline.curved) {
+        if distance(own.low, own.high) <= SMALL * size || is_clear && (outline.aside || outline.curved) {
             return Area::Small;
         }
         if is_clear {

@@ -77,7 +77,7 @@ fn hexadecimal(digits: &str) -> Option<Paint> {
 }
 
 /// Three parts and perhaps a fourth, each a number or a percentage of what stands in `wholes`.
-fn parts(text: &str, wholes: [f64; 4]) -> Option<Vec<f64>> {
+fn parts(text: &str, wholes: [f64; 4]) -> Option<[f64; 4]> {
     let mut reader = Reader::new(text);
     let mut out = Vec::new();
     while !reader.at_end() {
@@ -92,23 +92,31 @@ fn parts(text: &str, wholes: [f64; 4]) -> Option<Vec<f64>> {
         }
         out.push(if reader.percent() { value * whole / 100.0 } else { value });
     }
-    matches!(out.len(), 3 | 4).then_some(out)
+    if out.len() == 3 {
+        out.push(1.0);
+    }
+    out.try_into().ok()
 }
 
 fn rgb(text: &str) -> Option<Paint> {
-    let p = parts(text, [255.0, 255.0, 255.0, 1.0])?;
-    Some(covering([p[0], p[1], p[2]], p.get(3).copied().unwrap_or(1.0)))
+    let [r, g, b, alpha] = parts(text, [255.0, 255.0, 255.0, 1.0])?;
+    Some(covering([r, g, b], alpha))
+}
+
+/// A colour of a hue in degrees: each channel by where the pure hue has it, from -1 for all of it to 1 for nothing.
+fn of_hue(hue: f64, alpha: f64, channel: impl Fn(f64) -> f64) -> Paint {
+    let rgb = [0.0, 8.0, 4.0].map(|n| {
+        let k = (n + hue.rem_euclid(360.0) / 30.0) % 12.0;
+        255.0 * channel((k - 3.0).min(9.0 - k).clamp(-1.0, 1.0))
+    });
+    covering(rgb, alpha)
 }
 
 fn hsl(text: &str) -> Option<Paint> {
-    let p = parts(text, [360.0, 1.0, 1.0, 1.0])?;
-    let (hue, saturation, light) = (p[0].rem_euclid(360.0) / 30.0, p[1].clamp(0.0, 1.0), p[2].clamp(0.0, 1.0));
-    let reach = saturation * light.min(1.0 - light);
-    let channel = |n: f64| {
-        let k = (n + hue) % 12.0;
-        255.0 * (light - reach * (k - 3.0).min(9.0 - k).clamp(-1.0, 1.0))
-    };
-    Some(covering([channel(0.0), channel(8.0), channel(4.0)], p.get(3).copied().unwrap_or(1.0)))
+    let [hue, saturation, light, alpha] = parts(text, [360.0, 1.0, 1.0, 1.0])?;
+    let light = light.clamp(0.0, 1.0);
+    let reach = saturation.clamp(0.0, 1.0) * light.min(1.0 - light);
+    Some(of_hue(hue, alpha, |pure| light - reach * pure))
 }
 
 /// The first of two colours: the comma between them stands within no brackets.
@@ -122,16 +130,11 @@ fn light(text: &str) -> Option<&str> {
 }
 
 fn hwb(text: &str) -> Option<Paint> {
-    let p = parts(text, [360.0, 1.0, 1.0, 1.0])?;
-    let (white, black) = (p[1].clamp(0.0, 1.0), p[2].clamp(0.0, 1.0));
+    let [hue, white, black, alpha] = parts(text, [360.0, 1.0, 1.0, 1.0])?;
+    let (white, black) = (white.clamp(0.0, 1.0), black.clamp(0.0, 1.0));
     let sum = (white + black).max(1.0);
     let (white, black) = (white / sum, black / sum);
-    let channel = |n: f64| {
-        let k = (n + p[0].rem_euclid(360.0) / 30.0) % 12.0;
-        let pure = 0.5 - 0.5 * (k - 3.0).min(9.0 - k).clamp(-1.0, 1.0);
-        255.0 * (white + pure * (1.0 - white - black))
-    };
-    Some(covering([channel(0.0), channel(8.0), channel(4.0)], p.get(3).copied().unwrap_or(1.0)))
+    Some(of_hue(hue, alpha, |pure| white + (0.5 - 0.5 * pure) * (1.0 - white - black)))
 }
 
 /// The named colours of CSS, sorted by name (W3C, CSS Color Module Level 4, section 6.1).

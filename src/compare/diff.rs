@@ -273,13 +273,13 @@ impl Sheet<'_, '_> {
 
     fn draw(&mut self, spot: &Spot) {
         match spot {
-            Spot::MissingVertex(p) => self.ring("miss", *p),
-            Spot::ExtraVertex(p) => self.disc(*p),
+            Spot::MissingVertex(p) => self.round("miss", "ring", 11.0, *p),
+            Spot::ExtraVertex(p) => self.round("extra", "disc", 5.5, *p),
             Spot::Moved(from, to) => {
                 let ends = [*from, *to].map(|p| self.place(p));
                 self.under.push(marked("extra", vec![Node::Line { class: "thread", from: ends[0], to: ends[1] }]));
-                self.ring("miss", *from);
-                self.disc(*to);
+                self.round("miss", "ring", 11.0, *from);
+                self.round("extra", "disc", 5.5, *to);
             }
             Spot::MissingEdge(ends) => self.line("miss", *ends),
             Spot::ExtraEdge(ends) => self.line("extra", *ends),
@@ -299,16 +299,10 @@ impl Sheet<'_, '_> {
         }
     }
 
-    fn ring(&mut self, mark: &'static str, p: Point) {
+    fn round(&mut self, mark: &'static str, class: &'static str, radius: f64, p: Point) {
         let centre = self.place(p);
-        self.crowd.add(Shape::Disc(centre, 11.0), u32::MAX);
-        self.over.push(marked(mark, vec![Node::Disc { class: "ring", centre, radius: 11.0 }]));
-    }
-
-    fn disc(&mut self, p: Point) {
-        let centre = self.place(p);
-        self.crowd.add(Shape::Disc(centre, 5.5), u32::MAX);
-        self.over.push(marked("extra", vec![Node::Disc { class: "disc", centre, radius: 5.5 }]));
+        self.crowd.add(Shape::Disc(centre, radius), u32::MAX);
+        self.over.push(marked(mark, vec![Node::Disc { class, centre, radius }]));
     }
 
     fn line(&mut self, mark: &'static str, ends: [Point; 2]) {
@@ -319,31 +313,25 @@ impl Sheet<'_, '_> {
     /// The arrow as it should be, and as it is.
     fn pointer(&mut self, h: HalfEdgeId, slot: Slot, found: Option<Element>) {
         let mut actual = self.layout.clone();
-        let mut set = |h: HalfEdgeId, of: &dyn Fn(&mut HalfEdgeRow)| {
+        let mut set = |h: HalfEdgeId, pointer: Option<Pointer>, of: &dyn Fn(&mut HalfEdgeRow)| {
             actual.half_edges.get_mut(h.index()).and_then(Option::as_mut).into_iter().for_each(of);
+            pointer
         };
-        let (mine, theirs) = match (slot, found) {
-            (Slot::Next, Some(Element::HalfEdge(to))) => {
-                set(h, &|row| row.next = Some(to));
-                (Some(Pointer::Next(h)), Some(Pointer::Next(h)))
-            }
+        let mine = match slot {
+            Slot::Next => Some(Pointer::Next(h)),
+            Slot::Prev => self.layout.prev(h).map(Pointer::Next),
+            Slot::Twin => Some(Pointer::Twin(h)),
+            Slot::Face => Some(Pointer::Face(h)),
+            Slot::Whole => None,
+        };
+        let theirs = match (slot, found) {
+            (Slot::Next, Some(Element::HalfEdge(to))) => set(h, mine, &|row| row.next = Some(to)),
             (Slot::Prev, Some(Element::HalfEdge(from))) => {
-                set(from, &|row| row.next = Some(h));
-                (self.layout.prev(h).map(Pointer::Next), Some(Pointer::Next(from)))
+                set(from, Some(Pointer::Next(from)), &|row| row.next = Some(h))
             }
-            (Slot::Twin, Some(Element::HalfEdge(to))) => {
-                set(h, &|row| row.twin = Some(to));
-                (Some(Pointer::Twin(h)), Some(Pointer::Twin(h)))
-            }
-            (Slot::Face, Some(Element::Face(to))) => {
-                set(h, &|row| row.face = Some(to));
-                (Some(Pointer::Face(h)), Some(Pointer::Face(h)))
-            }
-            (Slot::Next, _) => (Some(Pointer::Next(h)), None),
-            (Slot::Prev, _) => (self.layout.prev(h).map(Pointer::Next), None),
-            (Slot::Twin, _) => (Some(Pointer::Twin(h)), None),
-            (Slot::Face, _) => (Some(Pointer::Face(h)), None),
-            (Slot::Whole, _) => (None, None),
+            (Slot::Twin, Some(Element::HalfEdge(to))) => set(h, mine, &|row| row.twin = Some(to)),
+            (Slot::Face, Some(Element::Face(to))) => set(h, mine, &|row| row.face = Some(to)),
+            _ => None,
         };
         let layout = self.layout;
         for (view, pointer, mark) in [(layout, mine, "miss"), (&actual, theirs, "extra")] {

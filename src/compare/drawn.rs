@@ -14,7 +14,7 @@ use super::filling::Filling;
 use super::frame::{Best, Frame, Search, Turn};
 use super::graph::{Graph, Matched, Telling};
 use super::ink::Hidden;
-use super::pairing::{Places, span};
+use super::pairing::{Places, edge_by, span};
 use super::placed::Placed;
 use super::report::{Difference, GROUP, Kind, Layer, Spot, Writing, counted, listed};
 use super::rings;
@@ -125,11 +125,8 @@ impl<'a> Target<'a> {
             windows::excuse(windows, drawing, &found.beside, &best.frame);
         }
         let partner = |m: u32| matched.to_expected[m as usize];
-        for (edge, _) in unseen.edges.into_iter().filter(|(edge, _)| !found.sparse.contains_key(edge)) {
-            if let [Some(a), Some(b)] = edge.map(partner) {
-                out.edges.insert([a.min(b), a.max(b)]);
-            }
-        }
+        let edges = unseen.edges.into_iter().filter(|(edge, _)| !found.sparse.contains_key(edge));
+        out.edges.extend(edges.filter_map(|(edge, _)| edge_by(edge, &matched.to_expected)));
         // Lines so wide that they run into each other hide more or less, as they are ordered.
         out.merges = MERGED * out.edges.len() > self.sketch.graph.edges.len();
         out.dots.extend(unseen.dots.iter().filter_map(|&(m, _)| partner(m)));
@@ -326,9 +323,8 @@ impl<'a> Target<'a> {
         out.windows = windows(&mut eye, &self.sketch, found, frame);
         let agrees = matched.faults() == 0 && out.edges.is_empty() && out.dots.is_empty();
         if eye.is_tired() && agrees {
-            return Err(
-                Problem::TooLarge { what: "shapes over each other", limit: drawing.painting.coats.len() }.into()
-            );
+            let (what, limit) = ("shapes over each other", drawing.painting.coats.len());
+            return Err(Problem::TooLarge { what, limit }.into());
         }
         Ok(out)
     }
@@ -389,22 +385,13 @@ impl<'a> Target<'a> {
     /// Refuses what would be missing because of a mask or a filter: it may be seen.
     fn refuse_veils(&self, found: &Sketch, matched: &Matched) -> Result<(), Fault> {
         let expected = &self.sketch;
-        for &edge in &matched.missing {
-            let [a, b] = edge.map(|v| matched.to_found[v as usize]);
-            let hidden = a.zip(b).and_then(|(a, b)| found.hidden.get(&[a.min(b), a.max(b)]));
-            if hidden == Some(&Hidden::Veil) {
-                let what = format!("the edge between {}", self.writing.between(expected.graph.ends(edge)));
-                return Err(Problem::Veil { what }.into());
-            }
-        }
-        for (v, &at) in expected.graph.points.iter().enumerate().filter(|&(v, _)| expected.dots[v].is_ok()) {
-            let dot = matched.to_found[v].map(|m| found.dots[m as usize]);
-            if dot == Some(Err(Some(Hidden::Veil))) {
-                let what = format!("the vertex at {}", self.writing.point(at));
-                return Err(Problem::Veil { what }.into());
-            }
-        }
-        Ok(())
+        let edges = matched.missing.iter().filter(|&&edge| found.hidden_as(edge, matched) == Some(Hidden::Veil));
+        let edges = edges.map(|&edge| format!("the edge between {}", self.writing.between(expected.graph.ends(edge))));
+        let dot = |v: usize| matched.to_found[v].map(|m| found.dots[m as usize]).filter(|_| expected.dots[v].is_ok());
+        let points = expected.graph.points.iter().enumerate();
+        let points = points.filter(|&(v, _)| dot(v) == Some(Err(Some(Hidden::Veil))));
+        let points = points.map(|(_, &at)| format!("the vertex at {}", self.writing.point(at)));
+        edges.chain(points).next().map_or(Ok(()), |what| Err(Problem::Veil { what }.into()))
     }
 
     /// Takes out what the reference's own drawing hides, too.
@@ -489,11 +476,7 @@ impl Critic<'_> {
             Err(_) if found.is_end(m) => Some(format!("a line ends at {at}, where there is no vertex")),
             Err(_) => None,
         };
-        let hidden = |edge: [u32; 2]| {
-            let [a, b] = edge.map(|v| self.matched.to_found[v as usize]);
-            let (a, b) = a.zip(b)?;
-            found.hidden.get(&[a.min(b), a.max(b)]).copied()
-        };
+        let hidden = |edge: [u32; 2]| found.hidden_as(edge, self.matched);
         let telling = Telling {
             layer: Layer::Drawn,
             writing: self.target.writing,
@@ -526,11 +509,8 @@ impl Critic<'_> {
             }
         }
         for (why, group) in groups {
-            if group.len() < GROUP {
-                group.iter().for_each(|&v| self.lost_dots(why, &[v]));
-            } else {
-                self.lost_dots(why, &group);
-            }
+            let at_once = if group.len() < GROUP { 1 } else { group.len() };
+            group.chunks(at_once).for_each(|group| self.lost_dots(why, group));
         }
     }
 
@@ -571,8 +551,7 @@ impl Critic<'_> {
             self.notes.push(format!("not compared: {what} no vertex"));
         }
         let known = |edge: &[u32; 2]| {
-            let [a, b] = edge.map(|m| self.matched.to_expected[m as usize]);
-            let ends = a.zip(b).map(|(a, b)| [a.min(b), a.max(b)]);
+            let ends = edge_by(*edge, &self.matched.to_expected);
             ends.is_some_and(|ends| self.expected().edges.binary_search(&ends).is_ok())
         };
         let count = self.found.hidden.keys().filter(|edge| !known(edge)).count() + self.found.unseen;

@@ -239,6 +239,16 @@ impl Fault {
         Self { at: Some(offset), problem }
     }
 
+    /// Refuses more of something than may be there.
+    pub(super) fn if_more(count: usize, limit: usize, what: &'static str, offset: usize) -> Result<(), Self> {
+        if count > limit { Err(Self::at(offset, Problem::TooLarge { what, limit })) } else { Ok(()) }
+    }
+
+    /// Refuses elements that lie within too many others.
+    pub(super) fn if_deeper(depth: usize, limit: usize, offset: usize) -> Result<(), Self> {
+        if depth > limit { Err(Self::at(offset, Problem::TooDeep { limit })) } else { Ok(()) }
+    }
+
     /// The error, with the place counted in the text.
     pub(super) fn located(self, side: Side, text: &str) -> CompareError {
         CompareError { side, place: self.at.map(|offset| place(text, offset)), problem: self.problem }

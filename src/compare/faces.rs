@@ -13,7 +13,7 @@ use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin};
 use crate::geometry::grouping::Joined;
 use crate::ids::{Element, FaceId, HalfEdgeId};
 use crate::topology::{InnerComponent, Table, View, bounded_cycle};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// So many half-edges are named in one sentence.
 const NAMED: usize = 4;
@@ -87,11 +87,8 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, 
     match roots {
         [Some(mine), theirs] if theirs.is_none() || pairing.partner.get(&mine).is_some_and(|g| Some(*g) != theirs) => {
             let yours = names[1].map_or_else(|| "no face of yours is marked".to_owned(), |f| format!("yours is {f}"));
-            let right = pairing
-                .partner
-                .get(&mine)
-                .map_or_else(String::new, |g| format!("; it should be your {}", FaceId::new(*g)));
-            say(format!("outer face (data-outer): {yours}{right}"), Spot::Nowhere);
+            let right = pairing.partner.get(&mine).map(|g| format!("; it should be your {}", FaceId::new(*g)));
+            say(format!("outer face (data-outer): {yours}{}", right.unwrap_or_default()), Spot::Nowhere);
         }
         [None, Some(_)] => say("outer face: the reference has none".to_owned(), Spot::Nowhere),
         _ => {}
@@ -105,21 +102,11 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, 
         }
     }
     isolated(expected, found, links, &mut pairing, &mut say);
-    let walked: Vec<bool> = used_faces(found.table);
-    for g in faces(found.table).filter(|g| !walked[g.index()]) {
-        let outer_of_nothing = found.table.outer_face == Some(g) && expected.graph.edges.is_empty();
-        if !outer_of_nothing {
-            say(format!("face {g} of yours belongs to no half-edge"), Spot::Nowhere);
-        }
+    let walked: BTreeSet<FaceId> = half_edges(found.table).filter_map(|h| found.table.face(h)).collect();
+    let is_outer_of_nothing = |g: FaceId| found.table.outer_face == Some(g) && expected.graph.edges.is_empty();
+    for g in faces(found.table).filter(|&g| !walked.contains(&g) && !is_outer_of_nothing(g)) {
+        say(format!("face {g} of yours belongs to no half-edge"), Spot::Nowhere);
     }
-}
-
-fn used_faces(table: &Table) -> Vec<bool> {
-    let mut used = vec![false; table.face_bound()];
-    for f in half_edges(table).filter_map(|h| table.face(h)).filter(|&f| table.has_face(f)) {
-        used[f.index()] = true;
-    }
-    used
 }
 
 /// One sentence for all half-edges that should have one face and have another.

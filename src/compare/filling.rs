@@ -1,6 +1,6 @@
 //! What is seen of faces and holes: their colour at points well inside.
 
-use super::eye::{Eye, contrast};
+use super::eye::{Eye, contrast, cut_by};
 use super::ink::Hidden;
 use super::painting::{Area, Clip, PALE, Part, Shape};
 use crate::plane::Point;
@@ -29,9 +29,8 @@ impl Eye<'_> {
         }
         let coat = &painting.coats[coat as usize];
         let cut: Vec<&Clip> = points.iter().filter_map(|&p| painting.cut_off(coat, p)).collect();
-        if 2 * cut.len() > points.len() {
-            let by_canvas = cut.iter().any(|clip| clip.canvas);
-            return Filling::Cut(if by_canvas { Hidden::Canvas } else { Hidden::Clip });
+        if let Some(why) = cut_by(cut.iter().copied()).filter(|_| 2 * cut.len() > points.len()) {
+            return Filling::Cut(why);
         }
         let seen = self.count_filled(&points);
         if 2 * seen > points.len() { Filling::Seen } else { Filling::Pale }

@@ -176,10 +176,9 @@ impl Frame {
 
     /// The upright map that takes every point to its partner within the tolerance, stated for the points.
     pub(super) fn between(from: &[Point], to: &[Point], tolerance: f64) -> Option<Self> {
-        let by_x =
-            |a: &&usize, b: &&usize| (from[**a].x + 0.7 * from[**a].y).total_cmp(&(from[**b].x + 0.7 * from[**b].y));
-        let all: Vec<usize> = (0..from.len()).collect();
-        let (i, j) = (*all.iter().min_by(by_x)?, *all.iter().max_by(by_x)?);
+        let along = |i: usize| from[i].x + 0.7 * from[i].y;
+        let by_place = |a: &usize, b: &usize| along(*a).total_cmp(&along(*b));
+        let (i, j) = ((0..from.len()).min_by(by_place)?, (0..from.len()).max_by(by_place)?);
         let map = Self::onto(Turn::Upright, [from[i], from[j]], [to[i], to[j]], f64::INFINITY)?;
         let fits = |(&p, &q): (&Point, &Point)| distance(map.apply(p), q) <= 4.0 * tolerance * map.scale();
         (i != j && from.iter().zip(to).all(fits)).then_some(map)

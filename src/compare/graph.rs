@@ -8,7 +8,7 @@
 //! The declared structure and the drawn geometry are both compared by this.
 
 use super::ink::Hidden;
-use super::pairing::{Places, distance, lies_on, span, strays};
+use super::pairing::{Places, distance, edge_by, lies_on, span, strays};
 use super::report::{Difference, GROUP, Kind, Layer, Spot, Writing, listed};
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
@@ -118,10 +118,7 @@ impl Matched {
     }
 
     fn pair_edges(&mut self, expected: &Graph, found: &Graph) {
-        let translated = |edge: &[u32; 2]| {
-            let [a, b] = edge.map(|v| self.to_expected[v as usize]);
-            a.zip(b).map(|(a, b)| [a.min(b), a.max(b)])
-        };
+        let translated = |edge: &[u32; 2]| edge_by(*edge, &self.to_expected);
         let mut present: Vec<[u32; 2]> = found.edges.iter().filter_map(translated).collect();
         present.sort_unstable();
         let known = |edge: Option<[u32; 2]>| edge.is_some_and(|edge| expected.edges.binary_search(&edge).is_ok());
@@ -170,9 +167,10 @@ impl Tale<'_> {
     }
 
     /// ` v5-v6`, if the ends have names.
-    fn named(&self, edge: [u32; 2]) -> String {
+    fn edge(&self, edge: [u32; 2]) -> String {
         let [a, b] = edge.map(|v| self.expected.names[v as usize].as_str());
-        if a.is_empty() || b.is_empty() { String::new() } else { format!(" {a}-{b}") }
+        let name = if a.is_empty() || b.is_empty() { String::new() } else { format!(" {a}-{b}") };
+        format!("{name} between {}", self.telling.writing.between(self.expected.ends(edge)))
     }
 
     fn vertex(&self, v: u32) -> String {
@@ -187,8 +185,7 @@ impl Tale<'_> {
         let lost: BTreeSet<u32> = missing.iter().flatten().copied().collect();
         for v in lost.into_iter().filter(|&v| self.matched.to_found[v as usize].is_none()) {
             let Some([a, b]) = two_neighbours(v, missing) else { continue };
-            let [Some(p), Some(q)] = [a, b].map(|w| self.matched.to_found[w as usize]) else { continue };
-            let through = [p.min(q), p.max(q)];
+            let Some(through) = edge_by([a, b], &self.matched.to_found) else { continue };
             let Some(i) = extra.iter().position(|&edge| edge == through) else { continue };
             if !lies_on(self.expected.point(v), self.expected.ends([a, b]), self.telling.tolerance) {
                 continue;
@@ -209,8 +206,7 @@ impl Tale<'_> {
         let new: BTreeSet<u32> = extra.iter().flatten().copied().collect();
         for m in new.into_iter().filter(|&m| self.matched.to_expected[m as usize].is_none()) {
             let Some(ends) = two_neighbours(m, extra) else { continue };
-            let [Some(a), Some(b)] = ends.map(|w| self.matched.to_expected[w as usize]) else { continue };
-            let whole = [a.min(b), a.max(b)];
+            let Some(whole) = edge_by(ends, &self.matched.to_expected) else { continue };
             let Some(i) = missing.iter().position(|&edge| edge == whole) else { continue };
             let at = self.found.point(m);
             if !lies_on(at, self.expected.ends(whole), self.telling.tolerance) {
@@ -218,13 +214,8 @@ impl Tale<'_> {
             }
             missing.remove(i);
             extra.retain(|edge| !edge.contains(&m));
-            let writing = self.telling.writing;
-            let text = format!(
-                "edge{} between {} is cut in two at {}, where the reference has no vertex",
-                self.named(whole),
-                writing.between(self.expected.ends(whole)),
-                writing.point(at)
-            );
+            let (edge, place) = (self.edge(whole), self.telling.writing.point(at));
+            let text = format!("edge{edge} is cut in two at {place}, where the reference has no vertex");
             self.say(Kind::Edge, text, Spot::ExtraVertex(at));
             out.insert(m);
         }
@@ -275,24 +266,18 @@ impl Tale<'_> {
             }
         }
         for (why, group) in groups {
-            let place = |&edge: &[u32; 2]| {
-                format!("{} between {}", self.named(edge), writing.between(self.expected.ends(edge)))
-            };
             if let Some(why) = why.filter(|_| group.len() >= GROUP) {
-                let places: Vec<String> = group.iter().map(|edge| place(edge).trim_start().to_owned()).collect();
+                let places: Vec<String> = group.iter().map(|&e| self.edge(e).trim_start().to_owned()).collect();
                 let text = format!("{} edges cannot be seen, {}: {}", group.len(), why.reason(true), listed(&places));
                 let spots = group.iter().map(|&edge| Spot::MissingEdge(self.expected.ends(edge))).collect();
                 self.say(Kind::Edge, text, Spot::all(spots));
                 continue;
             }
-            let texts: Vec<String> = group
-                .iter()
-                .map(|edge| match why {
-                    Some(why) => format!("edge{} cannot be seen: {}", place(edge), why.reason(false)),
-                    None => format!("edge{} is missing", place(edge)),
-                })
-                .collect();
-            for (edge, text) in group.into_iter().zip(texts) {
+            for edge in group {
+                let text = match why {
+                    Some(why) => format!("edge{} cannot be seen: {}", self.edge(edge), why.reason(false)),
+                    None => format!("edge{} is missing", self.edge(edge)),
+                };
                 self.say(Kind::Edge, text, Spot::MissingEdge(self.expected.ends(edge)));
             }
         }

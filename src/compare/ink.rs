@@ -13,7 +13,7 @@ use super::dashes::{self, Dashes};
 use super::declarations::declarations;
 use super::geometry::Geometry;
 use super::letters::Letters;
-use super::markers::{Markers, Stand};
+use super::markers::Markers;
 use super::numbers::{self, fraction};
 use super::served::{Served, Servers};
 use super::values::{is_unread, plainly};
@@ -292,12 +292,7 @@ impl Ink {
             "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
             "paint-order" if inherits => self.rim_below = around.rim_below,
             "paint-order" => self.rim_below = value.starts_with("stroke"),
-            "marker-start" if !inherits => self.markers.set(Stand::Start, value),
-            "marker-mid" if !inherits => self.markers.set(Stand::Middle, value),
-            "marker-end" if !inherits => self.markers.set(Stand::End, value),
-            "marker" if !inherits => {
-                [Stand::Start, Stand::Middle, Stand::End].into_iter().for_each(|end| self.markers.set(end, value));
-            }
+            "marker" | "marker-start" | "marker-mid" | "marker-end" if !inherits => self.markers.set(key, value),
             "font-size" => self.letters.set("font-size", value, &around.letters),
             "font" => self.letters.set("font", value, &around.letters),
             "text-anchor" if !inherits => {
@@ -357,11 +352,8 @@ impl Ink {
 
     fn unpainted(&self, paint: Paint, opacity: f64) -> Option<Hidden> {
         let own = if let Paint::Colour(_, alpha) = paint { alpha } else { 1.0 };
-        match () {
-            () if opacity * own <= 0.0 => Some(Hidden::Transparent),
-            () if self.veiled => Some(Hidden::Veil),
-            () => None,
-        }
+        let is_clear = opacity * own <= 0.0;
+        is_clear.then_some(Hidden::Transparent).or(self.veiled.then_some(Hidden::Veil))
     }
 
     fn pattern(&self) -> Dashes<'_> {

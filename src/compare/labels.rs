@@ -10,7 +10,7 @@
 use super::beside::{Extent, SMALL};
 use super::drawing::{Drawing, Line, Outline};
 use super::frame::Frame;
-use super::painting::{Mark, Part, Shape};
+use super::painting::{Mark, Part};
 use super::pairing::{Places, distance};
 use super::snap::Snap;
 use crate::plane::Point;
@@ -56,11 +56,8 @@ pub(super) fn labels(drawing: &Drawing, frame: &Frame, snap: &Snap, size: f64) -
 fn halos(drawing: &Drawing, is_apart: impl Fn(&[Point], f64) -> bool, frame: &Frame, reach: f64) -> Vec<u32> {
     let painting = &drawing.painting;
     let ends = |[a, b]: [Point; 2]| [a.x, a.y, b.x, b.y].map(f64::to_bits);
-    let white = (0..).zip(&painting.coats).filter_map(|(i, coat)| match coat.shape {
-        Shape::Stroke(line, _) if coat.part == Part::Line && painting.is_blank(i) => Some(ends(line)),
-        _ => None,
-    });
-    let white: BTreeSet<[u64; 4]> = white.collect();
+    let white = (0..).zip(&painting.coats).filter(|&(i, coat)| coat.part == Part::Line && painting.is_blank(i));
+    let white: BTreeSet<[u64; 4]> = white.filter_map(|(_, coat)| Some(ends(coat.stroke()?.ends))).collect();
     if white.is_empty() {
         return Vec::new();
     }

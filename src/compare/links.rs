@@ -127,12 +127,8 @@ impl Links {
         if let Some(matching) =
             small.then(|| isomorphic_with(expected.table, found.table, &options)).and_then(Result::ok)
         {
-            for (h, g) in matching.half_edges.iter() {
-                if let Some(g) = *g {
-                    self.pair(h, g);
-                }
-            }
-            return;
+            let pairs = matching.half_edges.iter().filter_map(|(h, g)| g.map(|g| (h, g)));
+            return pairs.for_each(|(h, g)| self.pair(h, g));
         }
         for (m, n) in groups {
             for &(_, h) in &mine[m.clone()] {

@@ -20,11 +20,15 @@ pub(super) enum Stand {
 pub(super) struct Markers([Option<Rc<str>>; 3]);
 
 impl Markers {
-    /// `value` is `none` or `url(#...)`.
-    pub(super) fn set(&mut self, end: Stand, value: &str) {
+    /// `key` is `marker` for all places, or the property of one of them; `value` is `none` or `url(#...)`.
+    pub(super) fn set(&mut self, key: &str, value: &str) {
         let link = value.strip_prefix("url(").and_then(|rest| rest.split(')').next());
         let id = link.and_then(|link| link.trim_matches(['"', '\'', ' ']).strip_prefix('#'));
-        self.0[end as usize] = id.map(Rc::from);
+        for (own, place) in self.0.iter_mut().zip(["marker-start", "marker-mid", "marker-end"]) {
+            if ["marker", place].contains(&key) {
+                *own = id.map(Rc::from);
+            }
+        }
     }
 
     pub(super) fn at(&self, end: Stand) -> Option<Rc<str>> {

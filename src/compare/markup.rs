@@ -110,70 +110,52 @@ fn count(text: &str) -> Result<(), Fault> {
     while let Some(open) = text[at..].find('<').map(|i| at + i) {
         let rest = &text[open..];
         let skip = |end: &str| rest.find(end).map_or(rest.len(), |i| i + end.len());
+        let others = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("</", ">")];
         at = open
-            + if rest.starts_with("<!--") {
-                skip("-->")
-            } else if rest.starts_with("<![CDATA[") {
-                skip("]]>")
-            } else if rest.starts_with("<?") {
-                skip("?>")
-            } else if rest.starts_with("</") {
-                skip(">")
+            + if let Some((_, end)) = others.iter().find(|(start, _)| rest.starts_with(start)) {
+                skip(end)
             } else if rest.starts_with("<!") {
                 plain_type(rest).ok_or_else(|| Fault::at(open, Problem::DocumentType))?
             } else {
                 elements += 1;
                 let (length, attributes) = tag(rest);
-                if attributes > ATTRIBUTES {
-                    let problem = Problem::TooLarge { what: "attributes of one element", limit: ATTRIBUTES };
-                    return Err(Fault::at(open, problem));
-                }
+                Fault::if_more(attributes, ATTRIBUTES, "attributes of one element", open)?;
                 namespaces += rest[..length].matches("xmlns").count();
                 length
             };
-        if elements > ELEMENTS {
-            return Err(Fault::at(open, Problem::TooLarge { what: "elements", limit: ELEMENTS }));
-        }
-        if namespaces > NAMESPACES {
-            let problem = Problem::TooLarge { what: "namespace declarations", limit: NAMESPACES };
-            return Err(Fault::at(open, problem));
-        }
+        Fault::if_more(elements, ELEMENTS, "elements", open)?;
+        Fault::if_more(namespaces, NAMESPACES, "namespace declarations", open)?;
     }
     Ok(())
+}
+
+/// The bytes outside of quotes, and the quotes that open, with their places.
+fn unquoted(text: &str) -> impl Iterator<Item = (usize, u8)> + '_ {
+    let mut quote = None;
+    text.bytes().enumerate().filter(move |&(_, b)| {
+        let is_outside = quote.is_none();
+        quote = match quote {
+            Some(opened) => Some(opened).filter(|&opened| opened != b),
+            None => Some(b).filter(|b| matches!(b, b'"' | b'\'')),
+        };
+        is_outside
+    })
 }
 
 /// The length of a document type that declares nothing: it names a type and perhaps where that is described, which is
 /// never fetched. `None` if it declares something, or is no document type.
 fn plain_type(rest: &str) -> Option<usize> {
-    let mut quote = None;
     let inside = rest.strip_prefix("<!DOCTYPE")?;
-    for (i, b) in inside.bytes().enumerate() {
-        match (quote, b) {
-            (Some(q), b) if q == b => quote = None,
-            (Some(_), _) => {}
-            (None, b'"' | b'\'') => quote = Some(b),
-            (None, b'[' | b'<') => return None,
-            (None, b'>') => return Some(rest.len() - inside.len() + i + 1),
-            (None, _) => {}
-        }
-    }
-    None
+    let (i, end) = unquoted(inside).find(|(_, b)| matches!(b, b'[' | b'<' | b'>'))?;
+    (end == b'>').then_some(rest.len() - inside.len() + i + 1)
 }
 
 /// The length of a start tag, and the number of its attributes.
 fn tag(rest: &str) -> (usize, usize) {
-    let (mut quote, mut attributes) = (None, 0);
-    for (i, b) in rest.bytes().enumerate() {
-        match (quote, b) {
-            (Some(q), b) if q == b => quote = None,
-            (Some(_), _) => {}
-            (None, b'"' | b'\'') => {
-                quote = Some(b);
-                attributes += 1;
-            }
-            (None, b'>') => return (i + 1, attributes),
-            (None, _) => {}
-        }
-    }
-    (rest.len(), attributes)
+    let mut attributes = 0;
+    let end = unquoted(rest).find(|(_, b)| {
+        attributes += usize::from(matches!(b, b'"' | b'\''));
+        *b == b'>'
+    });
+    (end.map_or(rest.len(), |(i, _)| i + 1), attributes)
 }

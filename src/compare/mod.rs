@@ -388,7 +388,7 @@ impl File {
                 differences.extend(contradiction(table, &found.drawing, options));
             }
             let layer = layer(&differences, Layer::Drawn);
-            let agreed = agreed_edges(seen.agreed);
+            let agreed = agreed(seen.agreed, "edges");
             return Ok(self.answer(layer, target, differences, notes, agreed, student));
         };
         let declared = tables::compare(mine, theirs, options);
@@ -396,7 +396,7 @@ impl File {
         let edges = seen.agreed;
         let (layer, differences) = merged(declared.differences, seen, &mut notes);
         // What agrees is counted where the answer was found.
-        let agreed = if layer == Layer::Drawn { agreed_edges(edges) } else { agreed(declared.agreed) };
+        let agreed = if layer == Layer::Drawn { agreed(edges, "edges") } else { agreed(declared.agreed, "half-edges") };
         Ok(self.answer(layer, target, differences, notes, agreed, student))
     }
 
@@ -474,18 +474,14 @@ pub fn compare_tables(expected: &Table, actual: &Table, options: &Options) -> Co
         layer: Layer::Declared,
         differences: found.differences,
         notes: found.notes,
-        agreed: agreed(found.agreed),
+        agreed: agreed(found.agreed, "half-edges"),
         scenery: Scenery::Table(expected.clone()),
         student: Some((Sketch::of_table(&placed), true)),
     }
 }
 
-fn agreed((right, all): (usize, usize)) -> String {
-    format!("{right} of {all} half-edges agree")
-}
-
-fn agreed_edges((right, all): (usize, usize)) -> String {
-    format!("{right} of {all} edges agree")
+fn agreed((right, all): (usize, usize), what: &str) -> String {
+    format!("{right} of {all} {what} agree")
 }
 
 /// The picture of what differs between two structures with positions: see [`Comparison::figure`].

@@ -83,12 +83,7 @@ impl<'a> Reader<'a> {
     pub(super) fn number(&mut self) -> Option<f64> {
         self.skip_separators();
         let bytes = self.text.as_bytes();
-        let digits = |mut i: usize| {
-            while bytes.get(i).is_some_and(u8::is_ascii_digit) {
-                i += 1;
-            }
-            i
-        };
+        let digits = |i: usize| i + bytes[i..].iter().take_while(|b| b.is_ascii_digit()).count();
         let start = self.at + usize::from(matches!(self.peek(), Some(b'+' | b'-')));
         let mut end = digits(start);
         let mut count = end - start;

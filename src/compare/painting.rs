@@ -5,7 +5,9 @@
 //!   clips    canvas ─ clip path ─ clip path                    a coat is shown inside all clips of its chain only
 //! ```
 
+use super::along::Stroke;
 use super::colour::Paint;
+use super::pairing::ring_sides;
 use super::rings::beside_sides;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -86,10 +88,7 @@ const FEW: usize = 24;
 
 impl Area {
     pub(super) fn new(rings: &[Vec<Point>], even_odd: bool) -> Self {
-        let ahead = |ring: &[Point], i: usize| ring[(i + 1) % ring.len()];
-        let sides: Vec<[Point; 2]> =
-            rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ahead(ring, i)])).collect();
-        Self::of_sides(sides, even_odd)
+        Self::of_sides(rings.iter().flat_map(|ring| ring_sides(ring)).collect(), even_odd)
     }
 
     fn of_sides(sides: Vec<[Point; 2]>, even_odd: bool) -> Self {
@@ -120,8 +119,7 @@ impl Area {
 
     /// The same with one ring more, which lies elsewhere.
     pub(super) fn with(&self, ring: &[Point]) -> Self {
-        let sides = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
-        Self::of_sides(self.sides.iter().copied().chain(sides).collect(), self.even_odd)
+        Self::of_sides(self.sides().chain(ring_sides(ring)).collect(), self.even_odd)
     }
 
     /// Whether a point lies inside by the fill rule, and how many sides were looked at.
@@ -228,6 +226,16 @@ pub(super) struct Coat {
 }
 
 impl Coat {
+    /// The line that it is, if it is one.
+    pub(super) fn stroke(&self) -> Option<Stroke> {
+        if let Shape::Stroke(ends, half) = self.shape { Some(Stroke { ends, half }) } else { None }
+    }
+
+    /// The disc that it is, if it is one.
+    pub(super) fn disc(&self) -> Option<&Disc> {
+        if let Shape::Disc(disc) = &self.shape { Some(disc) } else { None }
+    }
+
     /// Whether a point is covered, clips left out, and the work that it took.
     pub(super) fn covers(&self, p: Point) -> (bool, usize) {
         match &self.shape {

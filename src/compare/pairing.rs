@@ -94,9 +94,20 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// The sides of a ring: from each corner to the next.
+pub(super) fn ring_sides<T: Copy>(ring: &[T]) -> impl Iterator<Item = [T; 2]> + '_ {
+    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+}
+
 /// The point half way between two others.
 pub(super) fn middle([a, b]: [Point; 2]) -> Point {
     Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y))
+}
+
+/// The ends of an edge by other numbers, the smaller one first, if both have one.
+pub(super) fn edge_by(edge: [u32; 2], numbers: &[Option<u32>]) -> Option<[u32; 2]> {
+    let [a, b] = edge.map(|v| numbers[v as usize]);
+    a.zip(b).map(|(a, b)| [a.min(b), a.max(b)])
 }
 
 /// A point by its bits: corners of one outline are equal to the last.

@@ -89,55 +89,37 @@ impl Pen {
                 self.at = pair(reader)?;
                 self.start = self.at;
                 self.out.push(Subpath { points: vec![(self.at, false)], closed: false });
+                Some(())
             }
             b'Z' => {
                 self.at = self.start;
                 self.out.last_mut()?.closed = true;
+                Some(())
             }
-            b'L' => {
-                let to = pair(reader)?;
-                self.to(to, false)?;
-            }
-            b'H' => {
-                let to = [reader.number()? + x, at[1]];
-                self.to(to, false)?;
-            }
-            b'V' => {
-                let to = [at[0], reader.number()? + y];
-                self.to(to, false)?;
-            }
-            b'T' => {
-                let control = mirrored(quadratic, at);
-                let to = pair(reader)?;
-                self.quadratic(control, to)?;
-            }
+            b'L' => self.to(pair(reader)?, false),
+            b'H' => self.to([reader.number()? + x, at[1]], false),
+            b'V' => self.to([at[0], reader.number()? + y], false),
+            b'T' => self.quadratic(mirrored(quadratic, at), pair(reader)?),
             b'Q' => {
                 let (control, to) = (pair(reader)?, pair(reader)?);
                 if is_straight(at, [control, control], to, self.slack) {
                     self.to(to, false)?;
                     self.quadratic = Some(control);
+                    Some(())
                 } else {
-                    self.quadratic(control, to)?;
+                    self.quadratic(control, to)
                 }
             }
-            b'S' => {
-                let (second, to) = (pair(reader)?, pair(reader)?);
-                self.cubic(mirrored(cubic, at), second, to)?;
-            }
-            b'C' => {
-                let (first, second, to) = (pair(reader)?, pair(reader)?, pair(reader)?);
-                self.cubic(first, second, to)?;
-            }
+            b'S' => self.cubic(mirrored(cubic, at), pair(reader)?, pair(reader)?),
+            b'C' => self.cubic(pair(reader)?, pair(reader)?, pair(reader)?),
             b'A' => {
                 let radii = reader.pair()?;
                 let degrees = reader.number()?;
                 let (large, sweep) = (reader.flag()?, reader.flag()?);
-                let to = pair(reader)?;
-                self.arc(radii, degrees, large, sweep, to)?;
+                self.arc(radii, degrees, large, sweep, pair(reader)?)
             }
-            _ => return None,
+            _ => None,
         }
-        Some(())
     }
 
     fn to(&mut self, to: [f64; 2], curved: bool) -> Option<()> {

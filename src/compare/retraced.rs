@@ -11,7 +11,7 @@
 
 use super::beside::Extent;
 use super::drawing::{Dot, Drawing};
-use super::painting::{Part, Shape};
+use super::painting::{Coat, Part};
 use super::pairing::{Places, distance, middle};
 use crate::plane::Point;
 use std::borrow::Cow;
@@ -63,19 +63,13 @@ pub(super) fn without_decoration<'a>(reference: &Drawing, student: &'a Drawing) 
 /// The straight lines of decoration, where they are placed, and their widths.
 fn decoration(drawing: &Drawing, place: &dyn Fn(Point) -> Point, scale: f64) -> Vec<([Point; 2], f64)> {
     let others = drawing.painting.coats.iter().filter(|coat| coat.part == Part::Other);
-    let line = |shape: &Shape| match shape {
-        Shape::Stroke(ends, half) => Some((ends.map(place), 2.0 * scale * half)),
-        _ => None,
-    };
-    others.filter_map(|coat| line(&coat.shape)).collect()
+    others.filter_map(Coat::stroke).map(|line| (line.ends.map(place), 2.0 * scale * line.half)).collect()
 }
 
 /// The middles of the circles of decoration.
 fn circles(drawing: &Drawing) -> impl Iterator<Item = Point> + '_ {
-    drawing.painting.coats.iter().filter_map(|coat| match &coat.shape {
-        Shape::Disc(disc) if coat.part == Part::Other => Some(disc.centre),
-        _ => None,
-    })
+    let others = drawing.painting.coats.iter().filter(|coat| coat.part == Part::Other);
+    others.filter_map(Coat::disc).map(|disc| disc.centre)
 }
 
 /// The scale and the shift from the reference's canvas to the student's, by the boxes round their circles.

@@ -7,7 +7,7 @@
 
 use super::colour::{Paint, paint};
 use super::declarations::declarations;
-use super::error::{Fault, Problem};
+use super::error::Fault;
 use super::ink::Ink;
 use super::markup::is_svg;
 use super::numbers::{self, fraction};
@@ -38,11 +38,8 @@ impl Servers {
         let all = document.descendants().filter(|n| n.is_element() && is_svg(*n) && is_server(n));
         let named = by_id(all);
         let mut work = Work { rules, done: 0 };
-        let mut out = BTreeMap::new();
-        for (id, node) in &named {
-            out.insert((*id).to_owned(), work.server(*node, &named)?);
-        }
-        Ok(Self(out))
+        let all = named.iter().map(|(id, node)| Ok(((*id).to_owned(), work.server(*node, &named)?)));
+        all.collect::<Result<_, _>>().map(Self)
     }
 }
 
@@ -90,10 +87,7 @@ impl Work<'_, '_> {
     fn path(&mut self, node: Node<'_, '_>) -> Result<Vec<Tag>, Fault> {
         let around = node.ancestors().filter(Node::is_element);
         self.done += if self.rules.is_empty() { size(node) } else { around.clone().map(size).sum() };
-        if self.done > WORK {
-            let problem = Problem::TooLarge { what: "parts of gradients and patterns", limit: WORK };
-            return Err(Fault::at(node.range().start, problem));
-        }
+        Fault::if_more(self.done, WORK, "parts of gradients and patterns", node.range().start)?;
         let mut out: Vec<Tag> = if self.rules.is_empty() { Vec::new() } else { around.map(tag).collect() };
         out.reverse();
         Ok(out)
@@ -141,9 +135,7 @@ impl Work<'_, '_> {
 
     /// All shapes below an element.
     fn collect(&mut self, node: Node<'_, '_>, around: &Ink, out: &mut Content, depth: usize) -> Result<(), Fault> {
-        if depth > DEPTH {
-            return Err(Fault::at(node.range().start, Problem::TooDeep { limit: DEPTH }));
-        }
+        Fault::if_deeper(depth, DEPTH, node.range().start)?;
         for child in node.children().filter(Node::is_element) {
             let tags = self.path(child)?;
             let Some((ink, own)) = around.inside(child, self.rules, &tags) else { continue };

@@ -14,9 +14,9 @@ use super::drawing::{Drawing, Line};
 use super::ends::{Circles, Loose};
 use super::error::{Fault, Problem};
 use super::frame::Frame;
-use super::graph::Graph;
+use super::graph::{Graph, Matched};
 use super::ink::Hidden;
-use super::pairing::{Places, lies_on};
+use super::pairing::{Places, edge_by, lies_on};
 use super::placed::Placed;
 use super::segments::Grid;
 use super::snap::Snap;
@@ -70,6 +70,11 @@ pub(super) struct Sketch {
 }
 
 impl Sketch {
+    /// Why nobody sees an edge of the reference that is drawn.
+    pub(super) fn hidden_as(&self, edge: [u32; 2], matched: &Matched) -> Option<Hidden> {
+        self.hidden.get(&edge_by(edge, &matched.to_found)?).copied()
+    }
+
     /// Whether a line ends at a point.
     pub(super) fn is_end(&self, m: u32) -> bool {
         self.ends.get(m as usize).copied().unwrap_or(false)
@@ -285,10 +290,7 @@ impl Sketch {
         }
         let mut sparse: BTreeMap<[u32; 2], Vec<[u32; 2]>> = BTreeMap::new();
         if !dashed.is_empty() {
-            let number = |edge: &[u32; 2]| {
-                let [a, b] = edge.map(|v| snap.numbers[v as usize]);
-                a.zip(b).map(|(a, b)| [a.min(b), a.max(b)])
-            };
+            let number = |edge: &[u32; 2]| edge_by(*edge, &snap.numbers);
             let known: BTreeSet<[u32; 2]> =
                 graph.edges.iter().filter_map(number).chain(edges.iter().copied()).collect();
             for (dashes, places) in dashed {
@@ -328,7 +330,7 @@ impl Sketch {
         beside.bars.sort_unstable();
         beside.paper.extend(&drawing.paper);
         beside.paper.sort_unstable();
-        let found = Self {
+        Ok(Self {
             graph,
             dots,
             radii,
@@ -341,8 +343,7 @@ impl Sketch {
             doubled,
             beside,
             ..Self::default()
-        };
-        Ok(found)
+        })
     }
 
     /// Takes out what turned out not to be seen: edges, and points that only such edges or circles had. `keeps` says

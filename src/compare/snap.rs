@@ -46,9 +46,8 @@ impl Snap {
     }
 
     /// The numbers of both ends, if something is drawn at both.
-    pub(super) fn known(&self, ends: [Point; 2]) -> Option<[u32; 2]> {
-        let [a, b] = ends.map(|p| self.drawn(p));
-        a.zip(b).map(|(a, b)| [a, b])
+    pub(super) fn known(&self, [a, b]: [Point; 2]) -> Option<[u32; 2]> {
+        Some([self.drawn(a)?, self.drawn(b)?])
     }
 
     /// The number of what is drawn at a place.

@@ -7,7 +7,7 @@
 //!
 //! A name may stand elsewhere if a line leads from it to what it names.
 
-use super::drawing::Drawing;
+use super::drawing::{Dot, Drawing};
 use super::painting::{Coat, Part, Shape};
 use super::pairing::{Places, distance, distance_to, lies_on};
 use super::spelling::Spelling;
@@ -49,12 +49,9 @@ struct Vertex {
 
 impl<'a> Around<'a> {
     pub(super) fn new(drawing: &'a Drawing, table: &'a Table, span: f64) -> Self {
-        let mut vertices: BTreeMap<&str, Vertex> = BTreeMap::new();
-        for dot in &drawing.dots {
-            if let Some((name, _)) = &dot.vertex {
-                vertices.insert(name, Vertex { at: dot.at, radius: dot.radius, nearest: f64::INFINITY });
-            }
-        }
+        let named = drawing.dots.iter().filter_map(|dot| Some((dot.vertex.as_ref()?.0.as_str(), dot)));
+        let vertex = |dot: &Dot| Vertex { at: dot.at, radius: dot.radius, nearest: f64::INFINITY };
+        let mut vertices: BTreeMap<&str, Vertex> = named.map(|(name, dot)| (name, vertex(dot))).collect();
         for h in (0..table.half_edges.len()).map(|i| HalfEdgeId::new(i as u32)) {
             let [Some(from), Some(to)] = [table.origin(h), destination(table, h)].map(|v| v.map(|v| v.to_string()))
             else {
@@ -160,11 +157,8 @@ fn leaders(drawing: &Drawing) -> Vec<[Point; 2]> {
     for half in &drawing.halves {
         is_free[half.coats.start as usize..half.coats.end as usize].fill(false);
     }
-    let ends = |(coat, is_free): (&Coat, bool)| match coat.shape {
-        Shape::Stroke(ends, _) if is_free && coat.part == Part::Other => Some(ends),
-        _ => None,
-    };
-    coats.iter().zip(is_free).filter_map(ends).collect()
+    let free = coats.iter().zip(is_free).filter(|(coat, is_free)| *is_free && coat.part == Part::Other);
+    free.filter_map(|(coat, _)| Some(coat.stroke()?.ends)).collect()
 }
 
 impl Coat {

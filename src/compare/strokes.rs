@@ -30,11 +30,7 @@ impl Eye<'_> {
     /// the coats of what lies in a wrong place, sorted: a line below one of these, of its colour, is seen with it.
     pub(super) fn any_line(&mut self, coats: Range<u32>, without: bool, strays: &[Range<u32>]) -> bool {
         let painting = self.painting;
-        let ends = |i: u32| match painting.coats[i as usize].shape {
-            Shape::Stroke(ends, half) => Some((i, Stroke { ends, half })),
-            _ => None,
-        };
-        let mut lines = coats.filter_map(ends).peekable();
+        let mut lines = coats.filter_map(|i| Some((i, painting.coats[i as usize].stroke()?))).peekable();
         let is_any = lines.peek().is_some();
         if is_any { lines.any(|(i, line)| self.shows_along(&[i], &[], line, strays)) } else { without }
     }

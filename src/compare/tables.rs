@@ -143,13 +143,13 @@ impl Judge<'_> {
 
     /// `h17 (0, 0) -> (3, 0)`, by the names of the reference.
     fn half_edge(&self, h: HalfEdgeId) -> String {
-        match self.expected.ends(h) {
-            Some(ends) => {
-                let [a, b] = self.expected.graph.ends(ends).map(|p| self.writing.point(p));
-                format!("{h} {a} -> {b}")
-            }
-            None => h.to_string(),
-        }
+        self.with_ends(self.expected, h)
+    }
+
+    /// A half-edge of one of the two, with its ends if they are known.
+    fn with_ends(&self, placed: &Placed<'_>, h: HalfEdgeId) -> String {
+        let ends = placed.ends(h).map(|ends| placed.graph.ends(ends).map(|p| self.writing.point(p)));
+        ends.map_or_else(|| h.to_string(), |[a, b]| format!("{h} {a} -> {b}"))
     }
 
     /// A half-edge of the student in a sentence: by the name of the reference, and the student's if that differs.
@@ -157,13 +157,7 @@ impl Judge<'_> {
         match self.links.expected(h) {
             Some(name) if name == h => h.to_string(),
             Some(name) => format!("{name} (your {h})"),
-            None => match self.found.ends(h) {
-                Some(ends) => {
-                    let [a, b] = self.found.graph.ends(ends).map(|p| self.writing.point(p));
-                    format!("your {h} {a} -> {b}")
-                }
-                None => format!("your {h}"),
-            },
+            None => format!("your {}", self.with_ends(self.found, h)),
         }
     }
 

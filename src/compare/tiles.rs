@@ -9,6 +9,7 @@
 use super::geometry::path_data;
 use super::ink::{Ink, Own};
 use super::numbers;
+use super::pairing::ring_sides;
 use super::path;
 use roxmltree::Node;
 
@@ -57,7 +58,6 @@ fn along(points: &[[f64; 2]]) -> f64 {
 
 /// The area within these points.
 fn inside(points: &[[f64; 2]]) -> f64 {
-    let ahead = points.iter().skip(1).chain(points.first());
-    let twice: f64 = points.iter().zip(ahead).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum();
+    let twice: f64 = ring_sides(points).map(|[p, q]| p[0] * q[1] - p[1] * q[0]).sum();
     0.5 * twice.abs()
 }

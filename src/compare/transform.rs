@@ -75,9 +75,8 @@ impl Transform {
     fn function(name: &str, numbers: &[f64]) -> Option<Self> {
         Some(match (name, numbers) {
             ("matrix", &[a, b, c, d, e, f]) => Self([a, b, c, d, e, f]),
-            ("translate", &[x]) => Self::translate(x, 0.0),
+            ("translate" | "translateX", &[x]) => Self::translate(x, 0.0),
             ("translate", &[x, y]) => Self::translate(x, y),
-            ("translateX", &[x]) => Self::translate(x, 0.0),
             ("translateY", &[y]) => Self::translate(0.0, y),
             ("scale", &[s]) => Self::scale(s, s),
             ("scale", &[x, y]) => Self::scale(x, y),

@@ -87,6 +87,7 @@ pub(super) fn is_valid(key: &str, value: &str, written: Written) -> bool {
         return true;
     }
     let is = |words: &[&str]| words.contains(&value);
+    let are = |words: &[&str]| value.split_whitespace().all(|word| words.contains(&word));
     match key {
         "display" => is(&["none"]) || is_display(value),
         "visibility" => is(&["visible", "hidden", "collapse"]),
@@ -105,11 +106,8 @@ pub(super) fn is_valid(key: &str, value: &str, written: Written) -> bool {
         "clip-path" | "mask-image" => is(&["none"]) || value.contains('(') || value.ends_with("-box"),
         "marker" | "marker-start" | "marker-mid" | "marker-end" => is(&["none"]) || value.starts_with("url("),
         "vector-effect" => is(&["none", "non-scaling-stroke", "non-scaling-size", "non-rotation", "fixed-position"]),
-        "overflow" => {
-            !value.is_empty()
-                && value.split_whitespace().all(|w| ["visible", "hidden", "clip", "scroll", "auto"].contains(&w))
-        }
-        "paint-order" => value.split_whitespace().all(|word| ["normal", "fill", "stroke", "markers"].contains(&word)),
+        "overflow" => !value.is_empty() && are(&["visible", "hidden", "clip", "scroll", "auto"]),
+        "paint-order" => are(&["normal", "fill", "stroke", "markers"]),
         "text-anchor" => is(&["start", "middle", "end"]),
         _ if written == Written::Style && is_geometry(key) => is_place(key, value),
         _ => true,

@@ -5,7 +5,7 @@
 //! ```
 
 use super::{Around, Reader, WORK, length, shapes, word};
-use crate::compare::error::{Fault, Problem};
+use crate::compare::error::Fault;
 use crate::compare::ink::{Ink, Own};
 use crate::compare::painting::{Area, Clip};
 use crate::compare::tags::{size, tag};
@@ -58,10 +58,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         around: &Around,
     ) -> Result<Option<Area>, Fault> {
         self.work += 1 + child.attributes().map(|a| a.value().len()).sum::<usize>();
-        if self.work > WORK {
-            let problem = Problem::TooLarge { what: "elements to draw", limit: WORK };
-            return Err(Fault::at(child.range().start, problem));
-        }
+        Fault::if_more(self.work, WORK, "elements to draw", child.range().start)?;
         let mut shape = child;
         let mut styled = around.clone();
         for _ in 0..LINKS {
@@ -100,7 +97,7 @@ impl<'a, 'i> Reader<'a, 'i> {
 }
 
 /// A transform, and the one that is written on an element within.
-fn moved(around: &Transform, node: Node<'_, '_>, written: Option<&str>) -> Result<Transform, Fault> {
+pub(super) fn moved(around: &Transform, node: Node<'_, '_>, written: Option<&str>) -> Result<Transform, Fault> {
     let Some(text) = written else { return Ok(*around) };
     let own = Transform::read(text).ok_or_else(|| word(node.range().start, text, "transform"))?;
     Ok(around.after(&own))

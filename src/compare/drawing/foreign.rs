@@ -61,9 +61,7 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// What covers in an element, and in those within it.
     fn cover(&mut self, node: Node<'a, 'i>, depth: usize) -> Result<Option<String>, Fault> {
         self.visit(node)?;
-        if depth > DEPTH {
-            return Err(Fault::at(node.range().start, Problem::TooDeep { limit: DEPTH }));
-        }
+        Fault::if_deeper(depth, DEPTH, node.range().start)?;
         if let Some(selector) = &self.boxes_untold {
             return Err(Problem::StyleChange { selector: selector.clone() }.into());
         }

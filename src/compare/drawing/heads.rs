@@ -153,11 +153,7 @@ pub(super) struct Inked {
 impl Inked {
     pub(super) fn of(drawing: &Drawing) -> Self {
         let lines = (0..).zip(&drawing.painting.coats).filter(|(_, coat)| coat.part == Part::Line);
-        let key = |(i, shape): (u32, &Shape)| match shape {
-            Shape::Stroke(ends, _) => Some((stroke(*ends), i)),
-            _ => None,
-        };
-        let coats = lines.filter_map(|(i, coat)| key((i, &coat.shape))).collect();
+        let coats = lines.filter_map(|(i, coat)| Some((stroke(coat.stroke()?.ends), i))).collect();
         Self { ends: drawing.lines.iter().map(|line| line.ends).collect(), coats }
     }
 

@@ -10,7 +10,7 @@
 
 use super::{Around, Reader, corners, place};
 use crate::compare::colour::Paint;
-use crate::compare::error::{Fault, Problem};
+use crate::compare::error::Fault;
 use crate::compare::markers::Stand;
 use crate::compare::markup::is_svg;
 use crate::compare::numbers;
@@ -41,14 +41,11 @@ impl<'a, 'i> Reader<'a, 'i> {
             let corners = corners_of(path);
             for (j, &(point, way_in, way_out)) in corners.iter().enumerate() {
                 let (first, end) = (i == 0 && j == 0, i == last && j + 1 == corners.len());
-                if first {
-                    self.marker(Stand::Start, point, way_in.or(way_out), around, depth, at)?;
-                }
-                if !first && !end {
-                    self.marker(Stand::Middle, point, between(way_in, way_out), around, depth, at)?;
-                }
-                if end {
-                    self.marker(Stand::End, point, way_in.or(way_out), around, depth, at)?;
+                let (own, both) = (way_in.or(way_out), between(way_in, way_out));
+                let stands =
+                    [(Stand::Start, own, first), (Stand::Middle, both, !first && !end), (Stand::End, own, end)];
+                for (stand, angle, _) in stands.into_iter().filter(|stand| stand.2) {
+                    self.marker(stand, point, angle, around, depth, at)?;
                 }
             }
         }
@@ -70,9 +67,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Ok(());
         };
         self.markers += 1;
-        if self.markers > MARKERS {
-            return Err(Fault::at(offset, Problem::TooLarge { what: "markers", limit: MARKERS }));
-        }
+        Fault::if_more(self.markers, MARKERS, "markers", offset)?;
         let number = |name: &str, otherwise: f64| node.attribute(name).and_then(numbers::measure).unwrap_or(otherwise);
         let size = [number("markerWidth", 3.0), number("markerHeight", 3.0)];
         if size.iter().any(|side| *side <= 0.0) {
@@ -133,11 +128,10 @@ impl<'a, 'i> Reader<'a, 'i> {
             inner.transform = room.after(fit);
             inner.room = node.attribute("viewBox").and_then(viewport::view_box).or(Some([0.0, 0.0, size[0], size[1]]));
             if !inner.own.overflows {
-                let mut ring = Vec::with_capacity(4);
-                for corner in corners([0.0, 0.0, size[0], size[1]]) {
-                    ring.push(place(room, corner, node.range().start, "marker")?);
-                }
-                inner.clip = Some(self.add_clip(vec![Area::new(&[ring], false)], inner.clip));
+                let corners = corners([0.0, 0.0, size[0], size[1]]).into_iter();
+                let ring = corners.map(|corner| place(room, corner, node.range().start, "marker"));
+                let area = Area::new(&[ring.collect::<Result<_, _>>()?], false);
+                inner.clip = Some(self.add_clip(vec![area], inner.clip));
             }
             inner.decorates = true;
             self.children(node, &inner, depth + 1)?;
@@ -152,17 +146,6 @@ impl<'a, 'i> Reader<'a, 'i> {
         node: Node<'a, 'i>,
         around: &Around,
         start: [f64; 2],
-        depth: usize,
-    ) -> Result<(), Fault> {
-        self.text_part(node, around, start, 1.0, depth)
-    }
-
-    /// A text or a part of one; `stretch` is how much wider it is than it would be by itself.
-    fn text_part(
-        &mut self,
-        node: Node<'a, 'i>,
-        around: &Around,
-        start: [f64; 2],
         stretch: f64,
         depth: usize,
     ) -> Result<(), Fault> {
@@ -172,30 +155,18 @@ impl<'a, 'i> Reader<'a, 'i> {
             let first = node.attribute(name).and_then(|list| list.split([' ', ',']).find(|word| !word.is_empty()));
             first.and_then(numbers::measure).unwrap_or(otherwise)
         };
-        let recoloured;
-        let around = if self.coloured.contains(&offset) {
-            recoloured = Around { coloured: true, ..around.clone() };
-            &recoloured
-        } else {
-            around
-        };
+        let recoloured = self.coloured.contains(&offset).then(|| Around { coloured: true, ..around.clone() });
+        let around = recoloured.as_ref().unwrap_or(around);
         let start = [axis("x", start[0]) + axis("dx", 0.0), axis("y", start[1]) + axis("dy", 0.0)];
-        let letters: usize = node
-            .children()
-            .filter(Node::is_text)
-            .filter_map(|n| n.text())
-            .map(|text| text.trim().chars().count())
-            .sum();
+        let letters = count(node.children());
         if letters > 0 {
             self.letters(letters, start, stretch, around, offset)?;
         }
-        if depth > super::DEPTH {
-            return Err(Fault::at(offset, Problem::TooDeep { limit: super::DEPTH }));
-        }
+        Fault::if_deeper(depth, super::DEPTH, offset)?;
         for child in node.children().filter(|n| matches!(n.tag_name().name(), "tspan" | "a" | "textPath")) {
             self.enter(child);
             if let Some(inner) = self.inside(child, around)? {
-                self.text_part(child, &inner, start, stretch, depth + 1)?;
+                self.text(child, &inner, start, stretch, depth + 1)?;
             }
             self.path.pop();
         }
@@ -225,12 +196,9 @@ impl<'a, 'i> Reader<'a, 'i> {
         let width = LETTER * size * count as f64 * stretch;
         let left = x - ink.anchor * width;
         let room = [left - rim, y - ABOVE * size - rim, width + 2.0 * rim, (ABOVE + BELOW) * size + 2.0 * rim];
-        let mut ring = Vec::with_capacity(4);
-        for corner in corners(room) {
-            // Letters far away hide nothing.
-            let Ok(corner) = place(&around.transform, corner, offset, "text") else { return Ok(()) };
-            ring.push(corner);
-        }
+        let ring = corners(room).into_iter().map(|corner| place(&around.transform, corner, offset, "text"));
+        // Letters far away hide nothing.
+        let Ok(ring) = ring.collect::<Result<Vec<_>, _>>() else { return Ok(()) };
         let paint = if around.coloured {
             (Paint::Some, 1.0)
         } else if ink.fills() && !(has_rim && ink.width() >= WIDE[usize::from(ink.rim_below)] * size) {
@@ -259,10 +227,13 @@ impl<'a, 'i> Reader<'a, 'i> {
 /// How much wider a text is than it would be by itself, if it says how long it is.
 fn stretched(node: Node<'_, '_>, size: f64) -> Option<f64> {
     let length = node.attribute("textLength").and_then(numbers::measure).filter(|length| *length > 0.0)?;
-    let texts = node.descendants().filter(Node::is_text).filter_map(|n| n.text());
-    let count: usize = texts.map(|text| text.trim().chars().count()).sum();
-    let usual = LETTER * size * count as f64;
+    let usual = LETTER * size * count(node.descendants()) as f64;
     (usual > 0.0).then_some(length / usual)
+}
+
+/// How many letters some texts have.
+fn count<'a, 'i: 'a>(nodes: impl Iterator<Item = Node<'a, 'i>>) -> usize {
+    nodes.filter(Node::is_text).filter_map(|n| n.text()).map(|text| text.trim().chars().count()).sum()
 }
 
 /// How high a square of height 1 is after a transform that may stretch or slant it.

@@ -321,11 +321,8 @@ impl<'a, 'i> Reader<'a, 'i> {
     }
 
     fn element(&mut self, node: Node<'a, 'i>, outer: &Around, depth: usize) -> Result<(), Fault> {
-        let offset = node.range().start;
         self.visit(node)?;
-        if depth > DEPTH {
-            return Err(Fault::at(offset, Problem::TooDeep { limit: DEPTH }));
-        }
+        Fault::if_deeper(depth, DEPTH, node.range().start)?;
         let name = node.tag_name().name();
         if !is_svg(node) || !has_its_conditions(node) || !self.is_drawn(name) {
             return Ok(());
@@ -350,7 +347,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 "use" => self.reuse(node, around, depth)?,
                 "switch" => self.switch(node, &around, depth)?,
                 "foreignObject" => self.foreign(node, &around, depth)?,
-                "text" => self.text(node, &around, [0.0; 2], depth)?,
+                "text" => self.text(node, &around, [0.0; 2], 1.0, depth)?,
                 _ => {
                     let number = self.shapes.len();
                     self.shapes.push(before.1..before.1);
@@ -359,13 +356,12 @@ impl<'a, 'i> Reader<'a, 'i> {
                 }
             }
         }
+        let coats = before.1..self.out.painting.coats.len() as u32;
         if let Some(noted) = noted {
-            let coats = before.1..self.out.painting.coats.len() as u32;
-            self.name(node, coats, noted);
+            self.name(node, coats.clone(), noted);
         }
         if self.kit && declared::is_half_edge(node) {
             let name = node.attribute("id").and_then(|id| id.rsplit('-').next()).unwrap_or("").to_owned();
-            let coats = before.1..self.out.painting.coats.len() as u32;
             self.out.halves.push(Half { name, coats, lacks: !is_displayed || self.blank > before.0 });
         }
         self.path.pop();
@@ -394,11 +390,7 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// Counts an element, up to the cap.
     fn visit(&mut self, node: Node<'a, 'i>) -> Result<(), Fault> {
         self.work += size(node);
-        if self.work > WORK {
-            let problem = Problem::TooLarge { what: "elements to draw", limit: WORK };
-            return Err(Fault::at(node.range().start, problem));
-        }
-        Ok(())
+        Fault::if_more(self.work, WORK, "elements to draw", node.range().start)
     }
 
     fn children(&mut self, node: Node<'a, 'i>, around: &Around, depth: usize) -> Result<(), Fault> {
@@ -417,10 +409,8 @@ impl<'a, 'i> Reader<'a, 'i> {
         let offset = node.range().start;
         let Some((ink, own)) = outer.ink.inside(node, &self.rules, &self.path) else { return Ok(None) };
         // A style wins over an attribute.
-        let transform = match own.transform.as_deref().or_else(|| node.attribute("transform")) {
-            Some(text) => outer.transform.after(&Transform::read(text).ok_or_else(|| word(offset, text, "transform"))?),
-            None => outer.transform,
-        };
+        let written = own.transform.as_deref().or_else(|| node.attribute("transform"));
+        let transform = clips::moved(&outer.transform, node, written)?;
         // What moves an element or turns it about a point of its own is not worked out.
         let has_transform = own.transform.is_some() || node.has_attribute("transform");
         let origin = own.origin.as_deref().filter(|origin| has_transform && !is_corner(origin));
@@ -503,10 +493,7 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// Counts points, up to the cap.
     pub(in crate::compare) fn count(&mut self, points: usize, offset: usize) -> Result<(), Fault> {
         self.points += points;
-        if self.points > LINES {
-            return Err(Fault::at(offset, Problem::TooLarge { what: "lines", limit: LINES }));
-        }
-        Ok(())
+        Fault::if_more(self.points, LINES, "lines", offset)
     }
 }
 

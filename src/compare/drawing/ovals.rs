@@ -8,6 +8,7 @@
 //!
 //! A path of one stretch only: the letters O and 0 have two.
 
+use crate::compare::painting::Disc;
 use crate::compare::pairing::distance;
 use crate::plane::Point;
 
@@ -35,6 +36,11 @@ impl Oval {
     pub(super) fn circle((centre, radius): (Point, f64)) -> Self {
         let one = 1.0 / radius;
         Self { centre, inverse: [one, 0.0, 0.0, one], radius, reach: radius }
+    }
+
+    /// All of the inside.
+    pub(super) fn disc(&self) -> Disc {
+        Disc { centre: self.centre, inverse: self.inverse, from: 0.0, to: 1.0, reach: self.reach }
     }
 
     /// The ellipse that a closed stretch of curves is.

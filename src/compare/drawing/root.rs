@@ -40,10 +40,7 @@ pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
         let mut sheet = String::new();
         node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| sheet.push_str(text));
         size += sheet.len();
-        if size > CSS {
-            let problem = Problem::TooLarge { what: "bytes of style sheets", limit: CSS };
-            return Err(Fault::at(node.range().start, problem));
-        }
+        Fault::if_more(size, CSS, "bytes of style sheets", node.range().start)?;
         let media = node.attribute("media").unwrap_or("");
         match is_met(media) {
             Some(false) => continue,

@@ -36,6 +36,9 @@ const SPARSE: f64 = 0.5;
 /// What is said of curves.
 pub(super) const CURVES: &str = "curves (edges are straight)";
 
+/// The corners of a path, each with whether it lies on a curve, and whether the path is closed.
+type Placed = (Vec<(Point, bool)>, bool);
+
 impl<'a, 'i> Reader<'a, 'i> {
     /// Reads any element that paints.
     pub(super) fn shape(&mut self, node: Node<'_, '_>, name: &str, around: &Around, depth: usize) -> Result<(), Fault> {
@@ -55,12 +58,8 @@ impl<'a, 'i> Reader<'a, 'i> {
         self.count(paths.iter().map(|path| path.points.len()).sum(), offset)?;
         let mut placed = Vec::with_capacity(paths.len());
         for path in &paths {
-            let points: Result<Vec<(Point, bool)>, Fault> = path
-                .points
-                .iter()
-                .map(|&(p, curved)| Ok((place(&around.transform, p, offset, what)?, curved)))
-                .collect();
-            placed.push((points?, path.closed));
+            let corner = |&(p, curved): &([f64; 2], bool)| Ok((place(&around.transform, p, offset, what)?, curved));
+            placed.push((path.points.iter().map(corner).collect::<Result<Vec<_>, Fault>>()?, path.closed));
         }
         let (outer, only) = (around, placed.first().filter(|_| placed.len() == 1));
         let is_only = is_only(&placed);
@@ -83,26 +82,17 @@ impl<'a, 'i> Reader<'a, 'i> {
     }
 
     /// The filled part of a shape.
-    fn area(&mut self, node: Node<'_, '_>, what: &str, placed: &[(Vec<(Point, bool)>, bool)], around: &Around) {
-        if what == "line" || !around.ink.fills() {
-            return;
-        }
-        let rings = placed.iter().filter(|(points, _)| points.len() > 2);
-        let mut rings: Vec<Vec<Point>> = rings.map(|(points, _)| points.iter().map(|p| p.0).collect()).collect();
+    fn area(&mut self, node: Node<'_, '_>, what: &str, placed: &[Placed], around: &Around) {
+        let is_only = is_only(placed);
+        // The coats of dots are discs.
+        let is_dot = |(points, closed): &Placed| !around.decorates && oval(points, *closed, is_only).is_some();
+        let has_inside = |path: &Placed| path.0.len() > 2 && !is_dot(path);
+        let rings = placed.iter().filter(|path| what != "line" && around.ink.fills() && has_inside(path));
+        let rings: Vec<Vec<Point>> = rings.map(|(points, _)| points.iter().map(|p| p.0).collect()).collect();
         if rings.is_empty() {
             return;
         }
         let part = around.part(Part::Area);
-        let is_only = is_only(placed);
-        if !around.decorates {
-            // The coats of dots are discs.
-            let is_other = |(points, closed): &&(Vec<(Point, bool)>, bool)| oval(points, *closed, is_only).is_none();
-            let others = placed.iter().filter(|(points, _)| points.len() > 2).filter(is_other);
-            rings = others.map(|(points, _)| points.iter().map(|p| p.0).collect()).collect();
-            if rings.is_empty() {
-                return;
-            }
-        }
         let area = Area::new(&rings, around.ink.even_odd);
         let is_empty = |points: &[(Point, bool)]| {
             rings.len() > 1 && area.leaves_empty(&points.iter().map(|p| p.0).collect::<Vec<_>>())
@@ -122,11 +112,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         let name = node.parent().map_or_else(String::new, declared::face_name);
         let hole = node.parent().is_some_and(|group| group.attribute("data-hole") == Some("true"));
-        let stretches = placed.iter().zip(empty).filter(|((points, _), _)| points.len() > 2);
-        for ((points, closed), empty) in stretches {
-            if oval(points, *closed, is_only).is_some() {
-                continue;
-            }
+        for ((points, _), empty) in placed.iter().zip(empty).filter(|(path, _)| has_inside(path)) {
             let outlines = keyholes(points);
             let is_one = outlines.len() == 1;
             for ring in outlines {
@@ -194,13 +180,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             let is_line = is_mark || closed || points.len() > 1;
             if hidden.is_none() && ink.round && is_line && !around.decorates {
                 self.dot(first, half, None, around, None);
-                let disc = Disc {
-                    centre: first,
-                    inverse: [1.0 / half, 0.0, 0.0, 1.0 / half],
-                    from: 0.0,
-                    to: 1.0,
-                    reach: half,
-                };
+                let disc = Oval::circle((first, half)).disc();
                 self.out.painting.add(Shape::Disc(disc), stroke, around.clip, Part::Dot);
             }
             return;
@@ -284,11 +264,10 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     /// A circle or an ellipse drawn by a path.
     fn round_path(&mut self, node: Node<'_, '_>, oval: &Oval, around: &Around) {
-        let &Oval { centre, inverse, radius, reach } = oval;
-        let hidden = self.hidden_circle(around, reach);
-        self.discs(Disc { centre, inverse, from: 0.0, to: 1.0, reach }, radius, around);
+        let hidden = self.hidden_circle(around, oval.reach);
+        self.discs(oval, around);
         let vertex = node.parent().and_then(declared::vertex);
-        self.dot(centre, reach + Self::rim(around), hidden, around, vertex);
+        self.dot(oval.centre, oval.reach + Self::rim(around), hidden, around, vertex);
     }
 
     /// How far a stroke reaches beyond its circle.
@@ -297,14 +276,14 @@ impl<'a, 'i> Reader<'a, 'i> {
     }
 
     /// The coats of a circle: its inside, and its rim.
-    fn discs(&mut self, disc: Disc, radius: f64, around: &Around) {
-        let part = around.part(Part::Dot);
+    fn discs(&mut self, oval: &Oval, around: &Around) {
+        let (disc, part) = (oval.disc(), around.part(Part::Dot));
         if around.ink.fills() {
             self.out.painting.add(Shape::Disc(disc), around.ink.fill(), around.clip, part);
         }
         let rim = Self::rim(around);
         if rim > 0.0 {
-            let wide = rim / radius.max(f64::MIN_POSITIVE);
+            let wide = rim / oval.radius.max(f64::MIN_POSITIVE);
             let ring = Disc { from: 1.0 - wide, to: 1.0 + wide, reach: disc.reach + rim, ..disc };
             self.out.painting.add(Shape::Disc(ring), around.ink.stroke(), around.clip, part);
         }
@@ -333,7 +312,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         if radius > 0.0 && determinant.is_finite() {
             let inverse =
                 [axes[1].y / determinant, -axes[1].x / determinant, -axes[0].y / determinant, axes[0].x / determinant];
-            self.discs(Disc { centre: at, inverse, from: 0.0, to: 1.0, reach }, radius, around);
+            self.discs(&Oval { centre: at, inverse, radius, reach }, around);
         } else {
             hidden = hidden.or(Some(Hidden::NoSize));
         }
@@ -397,11 +376,8 @@ pub(super) fn rings(node: Node<'_, '_>, transform: &Transform, around: &Around) 
         let [rx, ry] = if name == "circle" { ["r", "r"] } else { ["rx", "ry"] };
         let (rx, ry) = (length(node, rx, 2, around)?, length(node, ry, 2, around)?);
         let data = format!("M{} {y}A{rx} {ry} 0 0 1 {} {y}A{rx} {ry} 0 0 1 {} {y}Z", x + rx, x - rx, x + rx);
-        let read = path::read(&data).unwrap_or_default();
-        return Ok(read
-            .iter()
-            .map(|path| path.points.iter().map(|p| flipped(transform.apply(p.0))).collect())
-            .collect());
+        let ring = |path: &Subpath| path.points.iter().map(|p| flipped(transform.apply(p.0))).collect();
+        return Ok(path::read(&data).unwrap_or_default().iter().map(ring).collect());
     }
     let (paths, what) = subpaths(node, around)?;
     let ring = |path: &Subpath| path.points.iter().map(|p| place(transform, p.0, offset, what)).collect();
@@ -478,7 +454,7 @@ fn keyholes(points: &[(Point, bool)]) -> Vec<Vec<Point>> {
 }
 
 /// Whether an element draws one stretch only; a move alone is none.
-fn is_only(placed: &[(Vec<(Point, bool)>, bool)]) -> bool {
+fn is_only(placed: &[Placed]) -> bool {
     placed.iter().filter(|(points, _)| points.len() > 1).count() == 1
 }
 

@@ -18,7 +18,7 @@ use super::slack::Slack;
 use super::{Dot, Drawing, Line};
 use crate::compare::eye::{FAINT, contrast};
 use crate::compare::painting::{Area, Coat, Disc, Part, Shape};
-use crate::compare::pairing::{Places, distance, distance_to, middle, span};
+use crate::compare::pairing::{Places, distance, distance_to, middle, ring_sides, span};
 use crate::compare::rings::{self, open};
 use crate::geometry::point;
 use crate::plane::Point;
@@ -158,14 +158,8 @@ fn dots(drawing: &mut Drawing, coats: &[Range<u32>], heads: &Heads, inked: &Inke
     rims::join(drawing, &gone.iter().filter_map(of_box).flatten().collect::<Vec<_>>(), inked, coats);
     for stamp in vertices {
         repaint(drawing, &stamp, coats[stamp.shape as usize].clone());
-        drawing.dots.push(Dot {
-            at: stamp.at,
-            radius: stamp.radius,
-            hidden: None,
-            vertex: None,
-            aside: false,
-            legend: 0,
-        });
+        let Placed { at, radius, .. } = stamp;
+        drawing.dots.push(Dot { at, radius, hidden: None, vertex: None, aside: false, legend: 0 });
     }
     gone
 }
@@ -272,8 +266,7 @@ fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Op
     let [low, high] = point::corners(corners.iter().copied());
     let area = Area::new(std::slice::from_ref(&corners), true);
     let inner = |p: Point| {
-        let sides = (0..count).map(|i| [corners[i], corners[(i + 1) % count]]);
-        let near = sides.map(|side| distance_to(p, side)).fold(f64::INFINITY, f64::min);
+        let near = ring_sides(&corners).map(|side| distance_to(p, side)).fold(f64::INFINITY, f64::min);
         let far = corners.iter().map(|&q| distance(p, q)).fold(0.0, f64::max);
         (near >= STOUT * far && far > 0.0 && far <= farthest && area.covers(p).0).then_some(p)
     };
@@ -282,8 +275,7 @@ fn figure(shape: u32, corners: Vec<Point>, is_hollow: bool, farthest: f64) -> Op
     // A triangle of a plotting program stands about the middle of its box.
     let mut found = [mean, middle([low, high])].into_iter().filter_map(inner);
     let first = found.next()?;
-    let second = found.next().unwrap_or(first);
-    let middles = [first, second];
+    let middles = [first, found.next().unwrap_or(first)];
     Some(Stamp { shape, frame: None, is_square: false, middles, radii: [radius; 2], is_hollow, corners })
 }
 

@@ -73,16 +73,13 @@ impl Eye<'_> {
 fn blocks(eye: &Eye<'_>) -> Vec<u32> {
     let coats = &eye.painting.coats;
     let Some(first) = coats.iter().position(|coat| coat.part == Part::Line) else { return Vec::new() };
-    let is_block = |(i, coat): &(u32, &Coat)| match &coat.shape {
-        Shape::Area(area) => {
-            coat.part == Part::Area
-                && coat.alpha > 0.5
-                && eye.bars.binary_search(i).is_err()
-                && eye.paper.binary_search(i).is_err()
-                && coat.diameter() <= WHOLE * eye.span
-                && is_plain(area, LARGE * eye.span)
-        }
-        _ => false,
+    let is_block = |(i, coat): &(u32, &Coat)| {
+        coat.part == Part::Area
+            && coat.alpha > 0.5
+            && eye.bars.binary_search(i).is_err()
+            && eye.paper.binary_search(i).is_err()
+            && coat.diameter() <= WHOLE * eye.span
+            && matches!(&coat.shape, Shape::Area(area) if is_plain(area, LARGE * eye.span))
     };
     (0..).zip(coats).skip(first).filter(is_block).map(|(i, _)| i).collect()
 }

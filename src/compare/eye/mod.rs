@@ -21,7 +21,7 @@ mod gaps;
 use super::beside::Beside;
 use super::cells::{cell, column, entries, level, pieces};
 use super::ink::Hidden;
-use super::painting::{Coat, Disc, Mark, Painting, Part, Shape};
+use super::painting::{Clip, Coat, Disc, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::geometry::point::corners;
 use crate::plane::Point;
@@ -201,11 +201,8 @@ impl<'a> Eye<'a> {
         let painting = self.painting;
         let text = &painting.coats[i as usize];
         self.look(text.middle());
-        let is_disc = |&j: &u32| match &painting.coats[j as usize] {
-            Coat { shape: Shape::Disc(disc), part: Part::Dot, .. } => text.diameter() <= NAME * disc.reach,
-            _ => false,
-        };
-        self.stack.iter().any(is_disc)
+        let mut discs = self.stack.iter().map(|&j| &painting.coats[j as usize]).filter(|coat| coat.part == Part::Dot);
+        discs.any(|coat| coat.disc().is_some_and(|disc| text.diameter() <= NAME * disc.reach))
     }
 
     /// Whether a disc too large for the background of a label, which is not seen itself, covers the last point looked at.
@@ -374,13 +371,9 @@ impl<'a> Eye<'a> {
     /// Why the lines of an edge are not seen at a point.
     fn reason(&mut self, own: &Own, p: Point) -> Hidden {
         let Some(&top) = own.coats.last() else { return Hidden::Dashes };
-        let cut: Vec<Option<bool>> = own
-            .coats
-            .iter()
-            .map(|&i| self.painting.cut_off(&self.painting.coats[i as usize], p).map(|clip| clip.canvas))
-            .collect();
-        if let Some(canvas) = cut.iter().all(Option::is_some).then(|| cut.iter().flatten().any(|canvas| *canvas)) {
-            return if canvas { Hidden::Canvas } else { Hidden::Clip };
+        let cut = own.coats.iter().map(|&i| self.painting.cut_off(&self.painting.coats[i as usize], p));
+        if let Some(why) = cut.collect::<Option<Vec<&Clip>>>().and_then(cut_by) {
+            return why;
         }
         self.look_below(&own.letters, p);
         let above = self.stack.iter().rev().take_while(|&&i| i > top);
@@ -421,11 +414,8 @@ impl<'a> Eye<'a> {
         let (mut seen, mut looked, mut top, mut below) = (0, 0, None, false);
         // A circle no wider than a line there is seen on it only if it has clearly another colour.
         self.look(centre);
-        let is_wider = |&i: &u32| match &self.painting.coats[i as usize] {
-            Coat { shape: Shape::Stroke(_, half), part: Part::Line, .. } => *half >= radius,
-            _ => false,
-        };
-        let within = self.stack.iter().any(is_wider);
+        let mut lines = self.stack.iter().map(|&i| &self.painting.coats[i as usize]);
+        let within = lines.any(|coat| coat.part == Part::Line && coat.stroke().is_some_and(|line| line.half >= radius));
         // Where its colour is not that of the paper: points at which lines have it, too, and areas.
         let (mut swallowed, mut grounded, mut blank) = (0, 0, 0);
         let axes = self.axes(centre, radius, tolerance);
@@ -441,10 +431,8 @@ impl<'a> Eye<'a> {
                     return Ok(());
                 }
                 self.look(round(part, i));
-                let is_own = |coat: &Coat| match &coat.shape {
-                    Shape::Disc(disc) => coat.part == Part::Dot && distance(disc.centre, centre) <= tolerance,
-                    _ => false,
-                };
+                let is_here = |disc: &Disc| distance(disc.centre, centre) <= tolerance;
+                let is_own = |coat: &Coat| coat.part == Part::Dot && coat.disc().is_some_and(is_here);
                 let owned = self.stack.iter().rev().find(|&&i| is_own(&self.painting.coats[i as usize]));
                 looked += usize::from(part < 0.9);
                 below |= owned.is_some();
@@ -497,10 +485,7 @@ impl<'a> Eye<'a> {
 
     /// Two half diameters of the largest circle at a vertex, which may be drawn as an ellipse, to its outer rim.
     fn axes(&self, centre: Point, radius: f64, tolerance: f64) -> [Point; 2] {
-        let discs = self.circles(centre, tolerance).filter_map(|coat| match &coat.shape {
-            Shape::Disc(disc) => Some(disc),
-            _ => None,
-        });
+        let discs = self.circles(centre, tolerance).filter_map(Coat::disc);
         let largest = discs.max_by(|a, b| a.reach.total_cmp(&b.reach));
         let upright = [Point::new(radius, 0.0), Point::new(0.0, radius)];
         largest.and_then(Disc::axes).unwrap_or(upright)
@@ -508,26 +493,15 @@ impl<'a> Eye<'a> {
 
     /// Why nothing lies where a circle at a vertex should be seen: it is cut off, or only its rim is drawn.
     fn lost(&self, centre: Point, tolerance: f64) -> Hidden {
-        let mut out = Hidden::Rim;
-        for clip in self.circles(centre, tolerance).filter_map(|coat| self.painting.cut_off(coat, centre)) {
-            match clip.canvas {
-                true => return Hidden::Canvas,
-                false => out = Hidden::Clip,
-            }
-        }
-        out
+        let cut = self.circles(centre, tolerance).filter_map(|coat| self.painting.cut_off(coat, centre));
+        cut_by(cut).unwrap_or(Hidden::Rim)
     }
 
     /// The circle of another vertex that covers a point, if there is one.
     pub(super) fn disc_over(&mut self, p: Point, tolerance: f64) -> Option<Point> {
         self.look(p);
-        let other = |&i: &u32| match &self.painting.coats[i as usize] {
-            Coat { shape: Shape::Disc(disc), part: Part::Dot, .. } if distance(disc.centre, p) > tolerance => {
-                Some(disc.centre)
-            }
-            _ => None,
-        };
-        self.stack.iter().find_map(other)
+        let dots = self.stack.iter().map(|&i| &self.painting.coats[i as usize]).filter(|coat| coat.part == Part::Dot);
+        dots.filter_map(Coat::disc).map(|disc| disc.centre).find(|&centre| distance(centre, p) > tolerance)
     }
 }
 
@@ -582,6 +556,12 @@ fn hiding(part: Part) -> Hidden {
         Part::Mark(Mark::Letters) => Hidden::Letters,
         _ => Hidden::Area,
     }
+}
+
+/// Why nobody sees what some clips cut off, if there are any: the canvas counts before the others.
+pub(super) fn cut_by<'a>(clips: impl IntoIterator<Item = &'a Clip>) -> Option<Hidden> {
+    let clip = clips.into_iter().max_by_key(|clip| clip.canvas)?;
+    Some(if clip.canvas { Hidden::Canvas } else { Hidden::Clip })
 }
 
 pub(super) fn contrast(a: [f64; 3], b: [f64; 3]) -> f64 {
