@@ -4,7 +4,7 @@ use super::Number;
 use super::load_error::{LoadError, Whereabouts};
 use super::room::for_segments;
 use super::soup::SegmentSoup;
-use super::words::{at_most, counted};
+use super::words::{at_most, note};
 use crate::ids::VertexId;
 use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, SegmentsError, Subdivision};
 
@@ -58,8 +58,7 @@ pub fn faults_with_places<'a>(soup: &'a SegmentSoup, faults: &'a [SegmentFault])
     faults.iter().map(|fault| {
         let segment = fault.segments().first().map(|&i| soup.place(i as usize));
         let place = segment.or_else(|| fault.points().first().map(|&i| soup.point_place(i as usize)));
-        let others: Vec<String> = fault.segments().iter().skip(1).map(|&i| side_of(soup, i)).collect();
-        let rest = others.concat();
+        let rest: String = fault.segments().iter().skip(1).map(|&i| side_of(soup, i)).collect();
         format!("{}: {fault}{rest}", place.unwrap_or_else(|| soup.source.clone()))
     })
 }
@@ -83,11 +82,7 @@ pub fn is_as_given(arranged: &Arranged) -> bool {
 #[must_use]
 pub fn describe(arranged: &Arranged) -> Vec<String> {
     let mut notes = Vec::new();
-    let mut add = |count: usize, one: &str, many: &str, rest: &str| {
-        if count > 0 {
-            notes.push(counted(count, one, many) + rest);
-        }
-    };
+    let mut add = |count: usize, one: &str, many: &str, rest: &str| note(&mut notes, count, one, many, rest);
     let zero = arranged.zero_length.len();
     add(zero, "segment without length was left out", "segments without length were left out", "");
     let repeated = arranged.repeated.len();

@@ -207,13 +207,8 @@ impl Reader<'_> {
         let mut row = HalfEdgeRow::default();
         let mut seen = 0;
         while let Some(word) = scanner.word() {
-            let place = match word.text {
-                b"origin" => 0,
-                b"twin" => 1,
-                b"next" => 2,
-                b"prev" => 3,
-                b"face" => 4,
-                _ => return Err(unknown_word(scanner, word, &HALF_EDGE_WORDS).into()),
+            let Some(place) = HALF_EDGE_WORDS.iter().position(|known| known.as_bytes() == word.text) else {
+                return Err(unknown_word(scanner, word, &HALF_EDGE_WORDS).into());
             };
             once(scanner, word, place, &mut seen)?;
             match place {
@@ -431,18 +426,7 @@ fn unescape(inside: &str) -> Option<String> {
 
 /// A name in quotes, as [`read`] takes it.
 pub(super) fn quote(name: &str) -> String {
-    let mut text = String::with_capacity(name.len() + 2);
-    text.push('"');
-    for c in name.chars() {
-        match c {
-            '"' => text.push_str("\\\""),
-            '\\' => text.push_str("\\\\"),
-            '\n' => text.push_str("\\n"),
-            '\r' => text.push_str("\\r"),
-            '\t' => text.push_str("\\t"),
-            c => text.push(c),
-        }
-    }
-    text.push('"');
-    text
+    let text = name.replace('\\', "\\\\").replace('"', "\\\"");
+    let text = text.replace('\n', "\\n").replace('\r', "\\r").replace('\t', "\\t");
+    format!("\"{text}\"")
 }

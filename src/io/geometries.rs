@@ -3,7 +3,7 @@
 use super::arrays::Arrays;
 use super::nodes::{Fault, Place, shape};
 use super::rings::Rings;
-use super::words::counted;
+use super::words::note;
 
 /// How a format reads the ring at hand.
 pub(super) type ReadRing<'r> = dyn FnMut(&mut Arrays<'_>, Place<'_>, &mut Rings) -> Result<(), Fault> + 'r;
@@ -63,14 +63,9 @@ impl Skipped {
 
     /// Says what was skipped.
     pub(super) fn note(&self, notes: &mut Vec<String>) {
-        let mut add = |count: usize, one: &str, many: &str, why: &str| {
-            if count > 0 {
-                notes.push(counted(count, one, many) + why);
-            }
-        };
         let only = " skipped: only polygons are read";
-        add(self.lines, "line geometry was", "line geometries were", only);
-        add(self.points, "point geometry was", "point geometries were", only);
-        add(self.empty, "polygon without any ring was", "polygons without any ring were", " skipped");
+        note(notes, self.lines, "line geometry was", "line geometries were", only);
+        note(notes, self.points, "point geometry was", "point geometries were", only);
+        note(notes, self.empty, "polygon without any ring was", "polygons without any ring were", " skipped");
     }
 }

@@ -79,10 +79,7 @@ impl Grid {
             cells(&scanner, word, row, width, &mut open)?;
             scanner.end_of_line("a row of the map has no blanks")?;
         }
-        if let Some(word) = scanner.word_anywhere() {
-            let problem = ReadProblem::MoreThanCounted { what: "rows", count: height.into() };
-            return Err(scanner.error(word.at, problem, "correct the line `height`"));
-        }
+        scanner.no_more("rows", height.into(), "correct the line `height`")?;
         Ok(Self { width, height, open, source: source.to_owned(), first_line })
     }
 
@@ -314,10 +311,8 @@ fn cells(scanner: &Scanner<'_>, word: Word<'_>, row: u32, width: u32, open: &mut
         });
     }
     if word.text.len() != width as usize {
-        let problem = ReadProblem::Expected {
-            wanted: format!("{width} cells in row {row}").into(),
-            found: word.text.len().to_string(),
-        };
+        let wanted = format!("{width} cells in row {row}").into();
+        let problem = ReadProblem::Expected { wanted, found: word.text.len().to_string() };
         return Err(scanner.error(word.at, problem, "correct the line `width`, or the row"));
     }
     Ok(())

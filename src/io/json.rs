@@ -15,10 +15,8 @@ use std::borrow::Cow;
 /// Reads GeoJSON or TopoJSON. O(length), and O(n log n) to join n equal points.
 pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<Read, ReadError> {
     check_text(bytes, source)?;
-    let at_byte = |at: usize, what, help: Cow<'static, str>| {
-        let (line, column) = line_and_column(bytes, at);
-        ReadError { line: Some(line), column: Some(column), ..ReadError::whole(source, what, help) }
-    };
+    let at_byte =
+        |at: usize, what, help: Cow<'static, str>| ReadError::at(source, line_and_column(bytes, at), what, help);
     let text = std::str::from_utf8(bytes)
         .map_err(|error| at_byte(error.valid_up_to(), ReadProblem::NotText, "save the file as UTF-8 text".into()))?;
     let root: Node<'_> = parse(text.strip_prefix('\u{feff}').unwrap_or(text), source)?;
@@ -51,8 +49,7 @@ fn parse<'a>(text: &'a str, source: &str) -> Result<Node<'a>, ReadError> {
         let message = message.rfind(" at line ").map_or(message.as_str(), |end| &message[..end]);
         // The parser ends lines at LF alone and counts bytes.
         let before: usize = text.split_inclusive('\n').take(error.line().max(1) - 1).map(str::len).sum();
-        let (line, column) = line_and_column(text.as_bytes(), before + error.column().saturating_sub(1));
-        let problem = ReadProblem::Json { message: message.to_owned() };
-        ReadError { line: Some(line), column: Some(column), ..ReadError::whole(source, problem, "") }
+        let place = line_and_column(text.as_bytes(), before + error.column().saturating_sub(1));
+        ReadError::at(source, place, ReadProblem::Json { message: message.to_owned() }, "")
     })
 }

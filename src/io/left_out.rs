@@ -1,6 +1,6 @@
 //! What a map says of its polygons and a structure does not keep.
 
-use super::words::counted;
+use super::words::{counted, note};
 
 /// What was read over, counted. The structure is none the worse for it, but a file that is written from it lacks it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -19,16 +19,14 @@ impl LeftOut {
     #[must_use]
     pub fn notes(&self, has_groups: bool) -> Vec<String> {
         let mut notes = Vec::new();
-        if self.ids > 0 {
-            notes.push(counted(self.ids, "id of a feature is lost", "ids of features are lost") + ": names are kept");
-        }
+        note(&mut notes, self.ids, "id of a feature is lost", "ids of features are lost", ": names are kept");
         if self.properties > 0 {
             let features = counted(self.properties, "feature", "features");
             notes.push(format!("properties of {features} are lost: only names are kept"));
         }
-        if has_groups && self.groups > 0 {
+        if has_groups {
             let (one, many) = ("multipolygon was taken apart", "multipolygons were taken apart");
-            notes.push(counted(self.groups, one, many) + ": each of its polygons is a feature by itself");
+            note(&mut notes, self.groups, one, many, ": each of its polygons is a feature by itself");
         }
         notes
     }

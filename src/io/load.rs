@@ -79,18 +79,6 @@ pub struct Loaded {
     pub places: Option<Places>,
 }
 
-impl Loaded {
-    /// What comes of a file that is no list of polygons.
-    fn without_places(
-        structure: Structure,
-        names: FaceMap<Option<String>>,
-        notes: Vec<String>,
-        format: Format,
-    ) -> Self {
-        Self { structure, names, covering: None, notes, left_out: LeftOut::default(), format, places: None }
-    }
-}
-
 /// Reads a file and makes a structure of it; `-` is standard input.
 ///
 /// Cost: that of the reader and of the builder, about linear; O(n log n) for tables and for the full check.
@@ -126,36 +114,42 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
         Document::Columns(table) => for_half_edges(table.half_edge_bound(), source_name),
     }?;
     let Read { document, mut notes, format } = read;
-    let soup = match document {
-        Document::Polygons(soup) => soup,
+    let in_file = |error| LoadError::Table { source_name: source_name.to_owned(), error };
+    let (subdivision, names) = match document {
+        Document::Polygons(soup) => return polygons(soup, options, notes, format),
         Document::Segments(soup) => {
             let arranged = arrange(&soup, options.mend)?;
             notes.extend(describe(&arranged));
             if options.mend && is_as_given(&arranged) && soup.mended_rings == 0 {
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
-            let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
-            return Ok(Loaded::without_places(structure, names, notes, format));
+            (arranged.subdivision, FaceMap::default())
         }
         Document::Columns(mut table) => {
             let names = table.names_in_plane();
-            let structure = Subdivision::from_columns(&mut table)
-                .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;
-            let structure = Structure::Plane(structure);
-            return Ok(Loaded::without_places(structure, names, notes, format));
+            (Subdivision::from_columns(&mut table).map_err(in_file)?, names)
         }
         Document::Table(table) => {
-            let structure = Subdivision::from_table(&table)
-                .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;
+            let subdivision = Subdivision::from_table(&table).map_err(in_file)?;
             // The outer face is f0 now; see Subdivision::from_table.
             let mut names: Vec<_> = table.faces.into_iter().map(|row| row?.name).collect();
             if let Some(outer) = table.outer_face {
                 names.swap(0, outer.index());
             }
-            let structure = Structure::Plane(structure);
-            return Ok(Loaded::without_places(structure, names.into(), notes, format));
+            (subdivision, names.into())
         }
     };
+    let (structure, left_out) = (Structure::Plane(subdivision), LeftOut::default());
+    Ok(Loaded { structure, names, covering: None, notes, left_out, format, places: None })
+}
+
+/// A subdivision or a surface of polygons.
+fn polygons(
+    soup: PolygonSoup,
+    options: &LoadOptions,
+    mut notes: Vec<String>,
+    format: Format,
+) -> Result<Loaded, LoadError> {
     let mode = options.mode.unwrap_or(if soup.has_z { Mode::Surface } else { Mode::Plane });
     if mode == Mode::Plane {
         return plane(soup, options, notes, format);

@@ -3,7 +3,7 @@
 use super::load_error::{LoadError, Whereabouts};
 use super::misfit::Told;
 use super::soup::Places;
-use super::words::{at_most, counted};
+use super::words::{at_most, counted, note};
 use crate::geometry::number::Number;
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::{Cover, Mended, SegmentsError, Subdivision};
@@ -119,9 +119,9 @@ fn joined(polygons: &BTreeSet<u32>, names: &[Option<String>], told: &Told<'_>) -
 }
 
 /// The first few of a long list, and how many there are beside them.
-fn listed(all: &[String]) -> String {
+fn listed(all: impl ExactSizeIterator<Item = String>) -> String {
     let rest = all.len().saturating_sub(SHOWN);
-    let first = all[..all.len().min(SHOWN)].join("; ");
+    let first = all.take(SHOWN).collect::<Vec<_>>().join("; ");
     if rest == 0 { first } else { format!("{first}; and {rest} more") }
 }
 
@@ -144,25 +144,14 @@ fn note_splits(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
             many => format!("{} polygons cross at {at}", many.len()),
         }
     };
-    let shown = |vertices: &[VertexId]| {
-        let first: Vec<String> = vertices.iter().take(SHOWN).map(place).collect();
-        let rest = vertices.len() - first.len();
-        first.join("; ") + &if rest == 0 { String::new() } else { format!("; and {rest} more") }
-    };
-    if !mended.crossings.is_empty() {
-        let count = counted(mended.crossings.len(), "vertex was made", "vertices were made");
-        notes.push(format!("{count} where sides cross: {}", shown(&mended.crossings)));
-    }
-    if !mended.touching.is_empty() {
-        let places = mended.touching.iter().map(|&v| told.in_file(s.point(v))).collect::<Vec<_>>();
-        let count = counted(places.len(), "corner lies", "corners lie");
-        notes.push(format!("{count} inside sides, which were split there: {}", listed(&places)));
-    }
-    if !mended.moved.is_empty() {
-        let count = counted(mended.moved.len(), "vertex was moved", "vertices were moved");
-        let grid = mended.grid.map_or_else(String::new, |grid| format!(" to a grid of {}", Number(grid)));
-        notes.push(format!("{count} by rounding{grid}; no side moved further than {}", at_most(mended.farthest)));
-    }
+    let crossings = format!(" where sides cross: {}", listed(mended.crossings.iter().map(place)));
+    note(notes, mended.crossings.len(), "vertex was made", "vertices were made", &crossings);
+    let places = mended.touching.iter().map(|&v| told.in_file(s.point(v)));
+    let touching = format!(" inside sides, which were split there: {}", listed(places));
+    note(notes, mended.touching.len(), "corner lies", "corners lie", &touching);
+    let grid = mended.grid.map_or_else(String::new, |grid| format!(" to a grid of {}", Number(grid)));
+    let moved = format!(" by rounding{grid}; no side moved further than {}", at_most(mended.farthest));
+    note(notes, mended.moved.len(), "vertex was moved", "vertices were moved", &moved);
 }
 
 /// What overlaps, largest first; returns the area of all.
@@ -194,31 +183,24 @@ fn note_overlaps(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) -> f
     }
     told_groups.sort_by(|a, b| b.0.total_cmp(&a.0));
     let total = mended.subdivision.area_of(all.iter().copied());
-    let words: Vec<String> = told_groups.into_iter().map(|group| group.1).collect();
-    let faces = counted(all.len(), "face is", "faces are");
-    notes.push(format!("{faces} covered more than once, area {} in all: {}", Number(total), listed(&words)));
+    let words = listed(told_groups.into_iter().map(|group| group.1));
+    let overlaps = format!(" covered more than once, area {} in all: {words}", Number(total));
+    note(notes, all.len(), "face is", "faces are", &overlaps);
     total
 }
 
 /// What was left out, and what has no part in the result.
 fn note_rest(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
-    if mended.left_out > 0 {
-        let count = counted(mended.left_out, "piece of a side was", "pieces of sides were");
-        notes.push(format!("{count} left out: the same polygons, or none, lie on both sides"));
-    }
-    if !mended.hollow.is_empty() {
-        let hollow: Vec<String> = mended.hollow.iter().map(|&i| told.polygon(i)).collect();
-        let count = counted(hollow.len(), "polygon has", "polygons have");
-        let why = "an outer ring that encloses nothing, so that the other rings were taken as outlines";
-        notes.push(format!("{count} {why}: {}", listed(&hollow)));
-    }
+    let both = " left out: the same polygons, or none, lie on both sides";
+    note(notes, mended.left_out, "piece of a side was", "pieces of sides were", both);
+    let why = " an outer ring that encloses nothing, so that the other rings were taken as outlines";
+    let hollow = listed(mended.hollow.iter().map(|&i| told.polygon(i)));
+    note(notes, mended.hollow.len(), "polygon has", "polygons have", &format!("{why}: {hollow}"));
     let mut covers = vec![false; told.faces.face_count()];
     for e in mended.subdivision.edges() {
         mended.outlines(e).iter().for_each(|&i| covers[i as usize] = true);
     }
-    let lost: Vec<String> = (0..covers.len()).filter(|&i| !covers[i]).map(|i| told.polygon(i as u32)).collect();
-    if !lost.is_empty() {
-        let count = counted(lost.len(), "polygon covers", "polygons cover");
-        notes.push(format!("{count} nothing: {}", listed(&lost)));
-    }
+    let lost: Vec<u32> = (0..covers.len() as u32).filter(|&i| !covers[i as usize]).collect();
+    let nothing = format!(" nothing: {}", listed(lost.iter().map(|&i| told.polygon(i))));
+    note(notes, lost.len(), "polygon covers", "polygons cover", &nothing);
 }

@@ -88,12 +88,8 @@ impl Told<'_> {
         let what = match [one, other].iter().find(|ring| ring[1] > 0) {
             None => format!("{}: both lie on the same side of {edge}", self.two(one, other, "overlap")),
             Some(&hole) => {
-                let two = self.two(one, other, "have in common");
-                let hole = self.name(hole);
-                format!(
-                    "{two} {}: as {hole} is a hole, both polygons would lie on the same side of it",
-                    self.side(side)
-                )
+                let (two, side, hole) = (self.two(one, other, "have in common"), self.side(side), self.name(hole));
+                format!("{two} {side}: as {hole} is a hole, both polygons would lie on the same side of it")
             }
         };
         Misfit { what, rings: vec![one, other] }
@@ -112,12 +108,9 @@ impl Told<'_> {
         let rings = vec![one, other];
         match (one[1], left == other_left) {
             (0, false) => {
-                let (two, side) = (self.two(one, other, "have"), self.side(side));
-                let number = self.ring_number(other);
-                Misfit {
-                    what: format!("{two} in common {side}, and ring {number} lies outside of ring 0 there"),
-                    rings,
-                }
+                let (two, side, number) = (self.two(one, other, "have"), self.side(side), self.ring_number(other));
+                let what = format!("{two} in common {side}, and ring {number} lies outside of ring 0 there");
+                Misfit { what, rings }
             }
             (1.., true) => {
                 let two = self.two(one, other, "overlap");
@@ -240,14 +233,11 @@ impl Told<'_> {
     }
 
     fn plain(&self, error: &ConvertError) -> Misfit {
-        let what = error.to_string();
-        let rings = error.faces().into_iter().map(|f| [f, 0]).collect();
-        match error {
-            ConvertError::Coordinate { vertex, error } if self.by_path() => {
-                Misfit { what: format!("{error} (vertex {vertex})"), rings }
-            }
-            _ => Misfit { what, rings },
-        }
+        let what = match error {
+            ConvertError::Coordinate { vertex, error } if self.by_path() => format!("{error} (vertex {vertex})"),
+            _ => error.to_string(),
+        };
+        Misfit { what, rings: error.faces().into_iter().map(|f| [f, 0]).collect() }
     }
 
     fn build(&self, error: &BuildError) -> Misfit {
@@ -294,12 +284,11 @@ impl Told<'_> {
             [a, b, ..] => corners.iter().all(|&c| orientation(point(a), point(b), point(c)).is_eq()),
             _ => true,
         };
-        let cycles = self.faces.cycle_range(face as usize).len() as u32;
-        let ring = (0..cycles).map(|c| [face, c]).find(|&ring| flat(self.cycle(ring))).unwrap_or([face, 0]);
+        let ring = self.rings_of(face).find(|&ring| flat(self.cycle(ring))).unwrap_or([face, 0]);
         let by_place = |&a: &u32, &b: &u32| left_to_right(point(a), point(b));
-        let (first, last) =
-            (self.cycle(ring).iter().copied().min_by(by_place), self.cycle(ring).iter().copied().max_by(by_place));
-        let ends = [first, last].map(|v| v.map_or_else(String::new, |v| self.at(v)));
+        let corners = || self.cycle(ring).iter().copied();
+        let ends = [corners().min_by(by_place), corners().max_by(by_place)];
+        let ends = ends.map(|v| v.map_or_else(String::new, |v| self.at(v)));
         let what =
             format!("{} has no area: its corners lie on one line, from {} to {}", self.name(ring), ends[0], ends[1]);
         Misfit { what, rings: vec![ring] }
@@ -313,15 +302,13 @@ impl Told<'_> {
                 let (one, other) = apart(&self.rings_with(first), &self.rings_with(second));
                 // As the file has them: corners may have been inserted.
                 let (first, second) = (self.whole_side(one, first), self.whole_side(other, second));
-                let along = self.overlap(first, second);
-                let sides = along.as_ref().map_or_else(|| self.sides_cross(first, second), String::clone);
-                let what = match (one == other, along.is_some()) {
-                    (true, true) => format!("{invariant}: {} runs along itself{sides}", self.name(one)),
-                    (true, false) => format!("{invariant}: {} crosses itself{sides}", self.name(one)),
-                    (false, true) => format!("{invariant}: {}{sides}", self.two(one, other, "run along each other")),
-                    (false, false) => format!("{invariant}: {}{sides}", self.two(one, other, "cross")),
+                let (alone, both, sides) = match self.overlap(first, second) {
+                    Some(sides) => ("runs along itself", "run along each other", sides),
+                    None => ("crosses itself", "cross", self.sides_cross(first, second)),
                 };
-                Misfit { what, rings: vec![one, other] }
+                let two = || self.two(one, other, both);
+                let what = if one == other { format!("{} {alone}", self.name(one)) } else { two() };
+                Misfit { what: format!("{invariant}: {what}{sides}"), rings: vec![one, other] }
             }
             GeometryViolation::VertexOnEdge { vertex, ends } => {
                 let (vertex, side) = (vertex.number(), ends.map(VertexId::number));
@@ -338,11 +325,8 @@ impl Told<'_> {
             GeometryViolation::SamePlace { first, second } => {
                 let vertices = [first.number(), second.number()];
                 let rings = vertices.map(|v| self.rings().find(|&ring| self.cycle(ring).contains(&v)));
-                let [a, b] = vertices;
-                let what = format!(
-                    "{invariant}: vertices {a} and {b} lie at the same place, {}: use one for both",
-                    self.at(a)
-                );
+                let ([a, b], at) = (vertices, self.at(vertices[0]));
+                let what = format!("{invariant}: vertices {a} and {b} lie at the same place, {at}: use one for both");
                 Misfit { what, rings: rings.into_iter().flatten().collect() }
             }
             GeometryViolation::Folded { vertex } => self.folded(vertex.number()),
@@ -358,9 +342,8 @@ impl Told<'_> {
             let corners = self.cycle(one);
             for k in (0..corners.len()).filter(|&k| corners[k] == vertex) {
                 for end in [corners[(k + 1) % corners.len()], corners[(k + corners.len() - 1) % corners.len()]] {
-                    let fits =
-                        |&other: &[u32; 2]| other != one && other[0] == one[0] && self.has_side(other, [vertex, end]);
-                    if rings.iter().copied().any(|other| fits(&other)) {
+                    let mut others = rings.iter().filter(|&&other| other != one && other[0] == one[0]);
+                    if others.any(|&other| self.has_side(other, [vertex, end])) {
                         return self.common_edge(one[0], [vertex, end]);
                     }
                 }
@@ -463,8 +446,7 @@ impl Told<'_> {
 
     /// All rings, by face and cycle.
     fn rings(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let cycles = |face: u32| (0..self.faces.cycle_range(face as usize).len() as u32).map(move |c| [face, c]);
-        (0..self.faces.face_count() as u32).flat_map(cycles)
+        (0..self.faces.face_count() as u32).flat_map(|face| self.rings_of(face))
     }
 
     fn outline(&self, ring: [u32; 2]) -> Outline {

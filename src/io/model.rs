@@ -132,9 +132,7 @@ impl Polygons {
                 return Err(WriteError::FaceHasRings { face: f, format: format.name() });
             }
             let start = view.half_edge(f).ok_or(WriteError::NoBoundary { face: f })?;
-            let starts =
-                rings.iter().filter_map(|ring| if let InnerComponent::Cycle(h) = *ring { Some(h) } else { None });
-            for (i, start) in [start].into_iter().chain(starts).enumerate() {
+            for (i, start) in [start].into_iter().chain(rings.iter().filter_map(|ring| ring.cycle())).enumerate() {
                 cycle(view, f, start, &numbers, &mut corners)?;
                 match simple.cut(&corners, polygons.points.len()) {
                     None if i == 0 => polygons.list.push_face(&corners),

@@ -138,10 +138,8 @@ pub(super) fn read(blocks: &mut Blocks<'_>) -> Result<Read, ReadError> {
         if soup.points.is_empty() {
             return Err(error);
         }
-        notes.push(format!(
-            "{} skipped, the first starts with `{word}`",
-            counted(count, "line with an unknown statement was", "lines with unknown statements were"),
-        ));
+        let (one, many) = ("line with an unknown statement was", "lines with unknown statements were");
+        notes.push(format!("{} skipped, the first starts with `{word}`", counted(count, one, many)));
     }
     let soup = PolygonSoup { labels, ..soup.finish(source, gives_z)? };
     Ok(Read { document: Document::Polygons(soup), notes, format: Format::Obj })

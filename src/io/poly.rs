@@ -23,8 +23,8 @@ use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::soup::{SegmentSoup, SoupBuilder};
 use super::text::Scanner;
-use super::triangle::{File, SYNTAX, attributes, no_more, nodes, optional_count, points, position, record};
-use super::words::counted;
+use super::triangle::{COUNT, File, SYNTAX, attributes, nodes, optional_count, points, position, record};
+use super::words::note;
 
 /// Reads a file, with the `.node` file beside it if there is one. O(length).
 pub(super) fn read(poly: File<'_>, node: Option<File<'_>>) -> Result<Read, ReadError> {
@@ -56,15 +56,9 @@ pub(super) fn read(poly: File<'_>, node: Option<File<'_>>) -> Result<Read, ReadE
                 scanner.number(word)?;
             }
         }
-        no_more(&mut scanner, "regions", count)?;
-        if count > 0 {
-            let attributes = counted(
-                usize::try_from(count).unwrap_or(usize::MAX),
-                "regional attribute was",
-                "regional attributes were",
-            );
-            notes.push(format!("{attributes} left out"));
-        }
+        scanner.no_more("regions", count, COUNT)?;
+        let left_out = usize::try_from(count).unwrap_or(usize::MAX);
+        note(&mut notes, left_out, "regional attribute was", "regional attributes were", " left out");
     }
     Ok(Read { document: Document::Segments(soup.checked()?), notes, format: Format::Poly })
 }

@@ -238,12 +238,8 @@ impl Rings {
             soup.places.ring_numbers = numbers;
         }
         note_dropped(&dropped, notes);
-        repeated.note(
-            "point that repeats the one before was",
-            "points that repeat the one before were",
-            "removed",
-            notes,
-        );
+        let (one, many) = ("point that repeats the one before was", "points that repeat the one before were");
+        repeated.note(one, many, "removed", notes);
         self.closed.note_closed(notes);
         soup.mended_rings = dropped.len() + self.closed.count();
         if soup.faces.face_count() == 0 {
@@ -337,9 +333,7 @@ fn note_dropped(dropped: &[String], notes: &mut Vec<String>) {
     const SHOWN: usize = 5;
     notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("dropped a degenerate ring: {ring}")));
     if dropped.len() > SHOWN {
-        notes.push(format!(
-            "dropped {}",
-            counted(dropped.len() - SHOWN, "more degenerate ring", "more degenerate rings")
-        ));
+        let more = counted(dropped.len() - SHOWN, "more degenerate ring", "more degenerate rings");
+        notes.push(format!("dropped {more}"));
     }
 }

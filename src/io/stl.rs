@@ -32,7 +32,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
-use super::words::{at_most, counted};
+use super::words::{at_most, counted, note};
 use super::write_error::WriteError;
 use crate::geometry::equal::first_of_equals;
 use crate::geometry::number::Number;
@@ -198,12 +198,8 @@ fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
         soup.faces.push_face(&face);
         soup.face_lines.extend(has_lines.then_some(corners[start].1));
     }
-    if left_out > 0 {
-        notes.push(format!(
-            "{} left out",
-            counted(left_out, "triangle with two equal corners was", "triangles with two equal corners were")
-        ));
-    }
+    let (one, many) = ("triangle with two equal corners was", "triangles with two equal corners were");
+    note(notes, left_out, one, many, " left out");
     soup
 }
 

@@ -383,6 +383,13 @@ impl<'a> Scanner<'a> {
         self.error(self.at, ReadProblem::Expected { wanted: wanted.into(), found: found.to_owned() }, "")
     }
 
+    /// Refuses a word that comes after the `count` of `what` that the file announces.
+    pub(super) fn no_more(&mut self, what: &'static str, count: u64, help: &'static str) -> Result<(), ReadError> {
+        let word = self.word_anywhere();
+        let error = |word: Word<'_>| self.error(word.at, ReadProblem::MoreThanCounted { what, count }, help);
+        word.map_or(Ok(()), |word| Err(error(word)))
+    }
+
     /// Accepts the end of the line (or a comment) and nothing else.
     pub(super) fn end_of_line(&mut self, help: &'static str) -> Result<(), ReadError> {
         match self.word() {
@@ -450,10 +457,8 @@ impl<'a> Scanner<'a> {
     #[inline]
     pub(super) fn coordinate(&self, axis: char, word: Word<'_>) -> Result<f64, ReadError> {
         let value = self.number(word)?;
-        match check_coordinate(axis, value) {
-            Ok(()) => Ok(value),
-            Err(error) => Err(self.error(word.at, error.into(), "")),
-        }
+        check_coordinate(axis, value).map_err(|error| self.error(word.at, error.into(), ""))?;
+        Ok(value)
     }
 
     /// The word as a whole number.

@@ -158,18 +158,12 @@ impl Display for Contents {
 /// How many items an array has.
 fn items(value: Option<&RawValue>, file: &str, item: impl Fn(&mut Arrays<'_>) -> Result<(), Fault>) -> usize {
     let mut count = 0;
-    let mut arrays = value.map(|value| Arrays::new(value, file));
-    let read = arrays.iter_mut().try_for_each(|arrays| {
-        arrays.each(
-            || shape("", ""),
-            |arrays, _| {
-                count += 1;
-                item(arrays)
-            },
-        )
-    });
+    let count_one = |arrays: &mut Arrays<'_>, _| {
+        count += 1;
+        item(arrays)
+    };
     // Of an array that goes wrong the items before that count.
-    drop(read);
+    drop(value.map(|value| Arrays::new(value, file).each(|| shape("", ""), count_one)));
     count
 }
 
@@ -207,12 +201,10 @@ fn number(arrays: &mut Arrays<'_>, wrong: impl FnOnce() -> ReadProblem) -> Resul
 impl Arcs {
     /// Reads all arcs and brings their points to their final coordinates.
     fn read(root: &Node<'_>, file: &str) -> Result<Self, Fault> {
-        let transform = match &root.transform {
-            None => None,
-            Some(transform) => {
-                Some(Transform { scale: pair(transform.scale, file)?, translate: pair(transform.translate, file)? })
-            }
+        let read = |of: &super::nodes::Transform<'_>| -> Result<Transform, Fault> {
+            Ok(Transform { scale: pair(of.scale, file)?, translate: pair(of.translate, file)? })
         };
+        let transform = root.transform.as_deref().map(read).transpose()?;
         let mut arcs = Self { points: Vec::new(), ends: Vec::new(), transform };
         let stage = Stage::new("reading", file.len());
         let value = root.arcs.ok_or_else(|| lacks("the file", "arcs"))?;
@@ -253,10 +245,8 @@ impl Arcs {
 
 /// One of the two members of the transform.
 fn pair(value: Option<&RawValue>, file: &str) -> Result<[f64; 2], Fault> {
-    let position = value.and_then(|value| Arrays::new(value, file).position());
-    position
-        .map(|(pair, _)| pair)
-        .ok_or_else(|| shape("transform", "\"scale\" and \"translate\", two numbers each").into())
+    let pair = value.and_then(|value| Some(Arrays::new(value, file).position()?.0));
+    pair.ok_or_else(|| shape("transform", "\"scale\" and \"translate\", two numbers each").into())
 }
 
 struct Reader<'a> {

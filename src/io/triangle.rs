@@ -22,6 +22,9 @@ use super::problem::{ReadError, ReadProblem};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 
+/// What to do when a file holds more than it announces.
+pub(super) const COUNT: &str = "correct the count in the first line of the file";
+
 pub(super) const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false, separators: false };
 
 /// One file with its name.
@@ -44,7 +47,7 @@ pub(super) fn read(node: File<'_>, ele: File<'_>) -> Result<Read, ReadError> {
 /// Reads the points, to the end of the file; returns the number of the first one.
 pub(super) fn nodes(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result<i64, ReadError> {
     let first = points(scanner, soup)?;
-    no_more(scanner, "points", soup.points.len() as u64)?;
+    scanner.no_more("points", soup.points.len() as u64, COUNT)?;
     Ok(first)
 }
 
@@ -96,7 +99,7 @@ fn triangles(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, first_point: i64
         attributes(scanner, extra)?;
         soup.face(&corners, line);
     }
-    no_more(scanner, "triangles", count)
+    scanner.no_more("triangles", count, COUNT)
 }
 
 pub(super) fn optional_count(scanner: &mut Scanner<'_>) -> Result<u64, ReadError> {
@@ -135,14 +138,4 @@ pub(super) fn attributes(scanner: &mut Scanner<'_>, count: u64) -> Result<(), Re
         scanner.number(word)?;
     }
     scanner.end_of_line("this is more than the first line of the file announces")
-}
-
-pub(super) fn no_more(scanner: &mut Scanner<'_>, what: &'static str, count: u64) -> Result<(), ReadError> {
-    match scanner.word_anywhere() {
-        None => Ok(()),
-        Some(word) => {
-            let problem = ReadProblem::MoreThanCounted { what, count };
-            Err(scanner.error(word.at, problem, "correct the count in the first line of the file"))
-        }
-    }
 }

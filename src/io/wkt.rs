@@ -104,6 +104,7 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
     reader.finish(options)
 }
 
+#[derive(Default)]
 struct Reader<'a> {
     bytes: &'a [u8],
     source: &'a str,
@@ -134,11 +135,7 @@ enum Token<'a> {
 
 impl<'a> Reader<'a> {
     fn new(bytes: &'a [u8], source: &'a str) -> Self {
-        let soup = SegmentSoup::new(source);
-        let (rings, polygons, skipped, closes, closed) = (None, 0, Skipped::default(), false, Repaired::default());
-        let (line, dropped, extra) = (1, 0, 0);
-        let reader =
-            Self { bytes, source, at: 0, line, soup, rings, polygons, skipped, closes, closed, dropped, extra };
+        let reader = Self { bytes, source, line: 1, soup: SegmentSoup::new(source), ..Self::default() };
         Self { at: reader.start(), ..reader }
     }
 
@@ -235,11 +232,9 @@ impl<'a> Reader<'a> {
     }
 
     fn next(&mut self) -> Result<Option<Token<'a>>, ReadError> {
-        let found = self.look()?;
-        Ok(found.map(|(token, end)| {
-            self.at = end;
-            token
-        }))
+        let Some((token, end)) = self.look()? else { return Ok(None) };
+        self.at = end;
+        Ok(Some(token))
     }
 
     fn error(&self, what: ReadProblem, help: &'static str) -> ReadError {
@@ -269,13 +264,9 @@ impl<'a> Reader<'a> {
     }
 
     fn number(&mut self, wanted: &'static str) -> Result<f64, ReadError> {
-        match self.peek()? {
-            Some(Token::Number(value)) => {
-                self.next()?;
-                Ok(value)
-            }
-            _ => Err(self.expected(wanted)),
-        }
+        let Some(Token::Number(value)) = self.peek()? else { return Err(self.expected(wanted)) };
+        self.next()?;
+        Ok(value)
     }
 
     fn coordinate(&mut self, axis: char, wanted: &'static str) -> Result<f64, ReadError> {

@@ -31,3 +31,10 @@ pub fn at_most(distance: f64) -> String {
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
+
+/// Notes how many of something there are, and what is to say of them, if there are any.
+pub(super) fn note(notes: &mut Vec<String>, count: usize, one: &str, many: &str, rest: &str) {
+    if count > 0 {
+        notes.push(counted(count, one, many) + rest);
+    }
+}

@@ -36,10 +36,7 @@ fn write_to(out: &mut dyn Write, model: &Model<'_>, format: Format) -> Result<()
         Format::Stl => stl::write(&mut out, &Polygons::of(model, format)?)?,
         Format::StlBinary => stl::write_binary(&mut out, &Polygons::of(model, format)?)?,
         Format::GeoJson => geojson(&mut out, model, &Polygons::of(in_plane(model, format)?, format)?)?,
-        Format::Mesh => {
-            let polygons = Polygons::of(in_plane(model, format)?, format)?;
-            mesh::write(&mut out, model, &polygons)?;
-        }
+        Format::Mesh => mesh::write(&mut out, model, &Polygons::of(in_plane(model, format)?, format)?)?,
         Format::Dcel => dcel(&mut out, in_plane(model, format)?)?,
         Format::Tables => tables::write(&mut out, model)?,
         Format::Triangle => return Err(WriteError::TwoFiles),

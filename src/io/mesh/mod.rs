@@ -88,10 +88,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         }
         soup.face(&corners, line);
     }
-    if let Some(word) = scanner.word_anywhere() {
-        let problem = ReadProblem::MoreThanCounted { what: "polygons", count: polygons };
-        return Err(scanner.error(word.at, problem, "correct the counts in the third line"));
-    }
+    scanner.no_more("polygons", polygons, "correct the counts in the third line")?;
     walls.refuse_thin(&scanner)?;
     let mut soup = soup.finish(source, false)?;
     soup.any_direction = version == Version::Three;

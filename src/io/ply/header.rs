@@ -154,22 +154,16 @@ fn format(scanner: &mut Scanner<'_>) -> Result<Encoding, ReadError> {
 }
 
 fn name(word: Word<'_>, scanner: &Scanner<'_>) -> Result<String, ReadError> {
-    match std::str::from_utf8(word.text) {
-        Ok(name) => Ok(name.to_owned()),
-        Err(_) => Err(scanner.error(word.at, ReadProblem::NotText, "")),
-    }
+    let name = std::str::from_utf8(word.text).map(str::to_owned);
+    name.map_err(|_| scanner.error(word.at, ReadProblem::NotText, ""))
 }
 
 fn element(scanner: &mut Scanner<'_>, before: &[Element]) -> Result<Element, ReadError> {
     let word = scanner.need(|| "the name of the element".to_owned())?;
     let name = name(word, scanner)?;
     if name == "tristrips" {
-        let help = "save the model with single faces instead";
-        return Err(scanner.error(
-            word.at,
-            ReadProblem::Refused { what: "a PLY file of triangle strips".into() },
-            help,
-        ));
+        let problem = ReadProblem::Refused { what: "a PLY file of triangle strips".into() };
+        return Err(scanner.error(word.at, problem, "save the model with single faces instead"));
     }
     if before.iter().any(|e| e.name == name) {
         return Err(scanner.expected(word, "each element once", ""));

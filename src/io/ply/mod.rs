@@ -39,8 +39,6 @@ use crate::io::Format;
 use body::{Binary, Records, Text};
 use header::{Element, Encoding, Header, Kind, Property};
 
-const X: usize = 0;
-const Y: usize = 1;
 const Z: usize = 2;
 
 /// Reads a PLY file. O(length).
@@ -71,11 +69,8 @@ fn elements(header: &Header, mut records: impl Records, source: &str) -> Result<
 
 /// Reads the points; returns whether they have a z.
 fn points(element: &Element, records: &mut impl Records, soup: &mut SoupBuilder) -> Result<bool, ReadError> {
-    let axis = |property: &Property| match (property.name.as_str(), property.list) {
-        ("x", None) => Some(X),
-        ("y", None) => Some(Y),
-        ("z", None) => Some(Z),
-        _ => None,
+    let axis = |property: &Property| {
+        ["x", "y", "z"].iter().position(|axis| property.name == *axis).filter(|_| property.list.is_none())
     };
     let axes: Vec<Option<usize>> = element.properties.iter().map(axis).collect();
     for i in 0..element.count {
@@ -111,10 +106,8 @@ fn faces(element: &Element, points: u64, records: &mut impl Records, soup: &mut 
         }
         records.end()?;
         if corners.is_empty() {
-            return Err(records.error_here(ReadProblem::Expected {
-                wanted: "a face with at least one corner".into(),
-                found: format!("face {i} without any"),
-            }));
+            let (wanted, found) = ("a face with at least one corner".into(), format!("face {i} without any"));
+            return Err(records.error_here(ReadProblem::Expected { wanted, found }));
         }
         soup.faces.push_face(&corners);
         soup.face_lines.extend(line);

@@ -132,9 +132,7 @@ impl Scenario {
         let mut is_first = true;
         loop {
             words.clear();
-            while let Some(word) = scanner.word() {
-                words.push(word);
-            }
+            words.extend(std::iter::from_fn(|| scanner.word()));
             match words.as_slice() {
                 [] => {}
                 [word, version] if is_first && word.text == b"version" => {
