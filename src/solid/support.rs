@@ -88,11 +88,7 @@ impl Convex<'_> {
     /// the answer is the same; a hint that is no vertex of the solid is not used.
     #[must_use]
     pub fn support_from(&self, direction: Direction, hint: VertexId) -> VertexId {
-        let mut at = if self.solid.has_vertex(hint) { hint } else { self.first };
-        while let Some(better) = self.best_neighbour(direction, at, &mut NoObserver) {
-            at = better;
-        }
-        at
+        self.climb_observed(direction, hint, &mut NoObserver)
     }
 
     /// The vertices met by [`support_from`](Self::support_from), the first and the last included.

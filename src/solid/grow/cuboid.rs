@@ -16,6 +16,7 @@ use super::extrude::extrude_faces;
 use super::placed::{Placed, part, stride};
 use super::{GrowError, Primitives};
 use crate::ids::FaceId;
+use std::collections::BTreeMap;
 
 /// The walls round the first layer, in the order of the ring's half-edges.
 const ROUND: [u8; 4] = [part::FRONT, part::RIGHT, part::BACK, part::LEFT];
@@ -27,16 +28,13 @@ pub(super) fn cuboid(on: &mut impl Primitives, steps: [usize; 3]) -> Result<Plac
     let mut placed = Placed::default();
     placed.parts.add(FaceId::new(0), part::BOTTOM);
     placed.parts.add(FaceId::new(1), part::TOP);
-    let mut sides = Sides { top: vec![FaceId::new(1)], back: Vec::new(), right: Vec::new() };
+    let mut sides =
+        Sides::from([(part::TOP, vec![FaceId::new(1)]), (part::BACK, Vec::new()), (part::RIGHT, Vec::new())]);
     placed.points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].into();
-    for _ in 0..steps[2] {
-        push(on, &mut placed, &mut sides, part::TOP, 2)?;
-    }
-    for _ in 1..steps[1] {
-        push(on, &mut placed, &mut sides, part::BACK, 1)?;
-    }
-    for _ in 1..steps[0] {
-        push(on, &mut placed, &mut sides, part::RIGHT, 0)?;
+    for (side, axis, first) in [(part::TOP, 2, 0), (part::BACK, 1, 1), (part::RIGHT, 0, 1)] {
+        for _ in first..steps[axis] {
+            push(on, &mut placed, &mut sides, side, axis)?;
+        }
     }
     let scaled = |p: [f64; 3]| std::array::from_fn(|axis| stride(p[axis] as usize, steps[axis]));
     placed.points = placed.points.as_slice().iter().map(|&p| scaled(p)).collect::<Vec<_>>().into();
@@ -44,22 +42,7 @@ pub(super) fn cuboid(on: &mut impl Primitives, steps: [usize; 3]) -> Result<Plac
 }
 
 /// The faces of the sides that are pushed, in the order of their numbers.
-struct Sides {
-    top: Vec<FaceId>,
-    back: Vec<FaceId>,
-    right: Vec<FaceId>,
-}
-
-impl Sides {
-    fn of(&mut self, part: u8) -> Option<&mut Vec<FaceId>> {
-        match part {
-            part::TOP => Some(&mut self.top),
-            part::BACK => Some(&mut self.back),
-            part::RIGHT => Some(&mut self.right),
-            _ => None,
-        }
-    }
-}
+type Sides = BTreeMap<u8, Vec<FaceId>>;
 
 /// Extrudes one side of the box by one step along an axis.
 fn push(
@@ -69,7 +52,7 @@ fn push(
     side: u8,
     axis: usize,
 ) -> Result<(), GrowError> {
-    let faces = sides.of(side).cloned().unwrap_or_default();
+    let faces = sides.get(&side).cloned().unwrap_or_default();
     let made = extrude_faces(on, faces, |f| placed.parts.has(f, side))?;
     for (foot, above) in made.lifted {
         let mut point = placed.points[foot];
@@ -84,7 +67,7 @@ fn push(
         let first_layer = side == part::TOP && below == part::BOTTOM;
         let part = if first_layer { ROUND[i % 4] } else { below };
         placed.parts.add(wall.face, part);
-        if let Some(list) = sides.of(part) {
+        if let Some(list) = sides.get_mut(&part) {
             list.push(wall.face);
         }
     }
