@@ -100,6 +100,15 @@ pub(crate) enum Step {
     },
 }
 
+impl Step {
+    /// Where it ends.
+    pub(crate) const fn end(&self) -> Xy {
+        match *self {
+            Self::Line(to) | Self::Quad(_, to) | Self::Cubic(_, _, to) | Self::Round { to, .. } => to,
+        }
+    }
+}
+
 /// What belongs together, with an id and a tooltip.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Group {

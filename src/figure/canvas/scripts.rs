@@ -8,45 +8,15 @@
 //! The small letters are characters of their own (Unicode's sub- and superscripts), so that a label stays text: it can be
 //! searched, copied, and measured as any other. What has no such character stays as it was written.
 
-/// Characters, the same below, the same above. A space where there is none.
-const SMALL: [(char, char, char); 35] = [
-    ('0', '₀', '⁰'),
-    ('1', '₁', '¹'),
-    ('2', '₂', '²'),
-    ('3', '₃', '³'),
-    ('4', '₄', '⁴'),
-    ('5', '₅', '⁵'),
-    ('6', '₆', '⁶'),
-    ('7', '₇', '⁷'),
-    ('8', '₈', '⁸'),
-    ('9', '₉', '⁹'),
-    ('+', '₊', '⁺'),
-    ('-', '₋', '⁻'),
-    ('=', '₌', '⁼'),
-    ('(', '₍', '⁽'),
-    (')', '₎', '⁾'),
-    ('a', 'ₐ', ' '),
-    ('e', 'ₑ', ' '),
-    ('h', 'ₕ', ' '),
-    ('i', 'ᵢ', 'ⁱ'),
-    ('j', 'ⱼ', ' '),
-    ('k', 'ₖ', ' '),
-    ('l', 'ₗ', ' '),
-    ('m', 'ₘ', ' '),
-    ('n', 'ₙ', 'ⁿ'),
-    ('o', 'ₒ', ' '),
-    ('p', 'ₚ', ' '),
-    ('r', 'ᵣ', ' '),
-    ('s', 'ₛ', ' '),
-    ('t', 'ₜ', ' '),
-    ('u', 'ᵤ', ' '),
-    ('v', 'ᵥ', ' '),
-    ('x', 'ₓ', ' '),
-    // The sign that is used for minus in print, too.
-    ('−', '₋', '⁻'),
-    (',', ' ', ' '),
-    ('\'', ' ', '′'),
-];
+/// Characters; the same below; the same above. A space where there is none.
+const PLAIN: &str = "0123456789+-=()aehijklmnoprstuvx−,'";
+const BELOW: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ₋  ";
+const ABOVE: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾   ⁱ    ⁿ        ⁻ ′";
+
+/// Each character with the one below and the one above.
+fn small() -> impl Iterator<Item = (char, char, char)> {
+    PLAIN.chars().zip(BELOW.chars()).zip(ABOVE.chars()).map(|((plain, below), above)| (plain, below, above))
+}
 
 /// The label as it is drawn.
 pub(in crate::figure) fn typeset(label: &str) -> String {
@@ -69,11 +39,11 @@ fn word(word: &str) -> String {
     let Some(inside) = inside.or(is_short.then_some(rest)).filter(|inside| !inside.is_empty()) else {
         return word.to_owned();
     };
-    let small = |c: char| {
-        let (_, below, above) = SMALL.iter().find(|(known, ..)| *known == c)?;
-        Some(if is_above { *above } else { *below }).filter(|c| *c != ' ')
+    let small_of = |c: char| {
+        let (_, below, above) = small().find(|(plain, ..)| *plain == c)?;
+        Some(if is_above { above } else { below }).filter(|c| *c != ' ')
     };
-    match (base.filter(|c| c.is_alphabetic()), inside.chars().map(small).collect::<Option<String>>()) {
+    match (base.filter(|c| c.is_alphabetic()), inside.chars().map(small_of).collect::<Option<String>>()) {
         (Some(base), Some(small)) => format!("{base}{small}{space}"),
         _ => word.to_owned(),
     }
@@ -81,8 +51,8 @@ fn word(word: &str) -> String {
 
 /// The text as TeX writes it, of text with small letters.
 pub(super) fn tex_of(c: char) -> Option<(char, bool)> {
-    let found = SMALL.iter().find(|(_, below, above)| c != ' ' && (*below == c || *above == c));
-    found.map(|&(known, _, above)| (known, above == c))
+    let found = small().find(|(_, below, above)| c != ' ' && (*below == c || *above == c));
+    found.map(|(plain, _, above)| (plain, above == c))
 }
 
 #[cfg(test)]

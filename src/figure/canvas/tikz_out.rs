@@ -18,7 +18,7 @@ use super::selectors::{Rule, Tag, rules};
 use super::vector::{Xy, xy};
 use crate::figure::Figure;
 use std::collections::BTreeMap;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// bp for each px.
 const BP: f64 = 0.75;
@@ -231,30 +231,19 @@ impl<'a> Writer<'a> {
             // Without a rule, the inside is black.
             let colour = looks.colour("fill").map_or_else(|| "black".to_owned(), |hex| self.colour(hex));
             let _ = write!(out, ",fill={colour}");
-            if let Some(opacity) = looks.number("fill-opacity") {
-                let _ = write!(out, ",fill opacity={}", drawn(opacity));
-            }
+            option(&mut out, "fill opacity", looks.number("fill-opacity").map(drawn));
         }
         if let Some(hex) = looks.colour("stroke") {
             let colour = self.colour(hex);
             let _ =
                 write!(out, ",draw={colour},line width={}bp", drawn(looks.number("stroke-width").unwrap_or(1.0) * BP));
-            if let Some(opacity) = looks.number("stroke-opacity") {
-                let _ = write!(out, ",draw opacity={}", drawn(opacity));
-            }
-            if let Some(dashes) = looks.get("stroke-dasharray").and_then(dashes) {
-                let _ = write!(out, ",dash pattern={dashes}");
-            }
-            if let Some(cap @ ("round" | "butt")) = looks.get("stroke-linecap") {
-                let _ = write!(out, ",line cap={cap}");
-            }
-            if let Some(join @ ("round" | "bevel" | "miter")) = looks.get("stroke-linejoin") {
-                let _ = write!(out, ",line join={join}");
-            }
+            let [cap, join] = ["stroke-linecap", "stroke-linejoin"].map(|key| looks.get(key));
+            option(&mut out, "draw opacity", looks.number("stroke-opacity").map(drawn));
+            option(&mut out, "dash pattern", looks.get("stroke-dasharray").and_then(dashes));
+            option(&mut out, "line cap", cap.filter(|cap| ["round", "butt"].contains(cap)));
+            option(&mut out, "line join", join.filter(|join| ["round", "bevel", "miter"].contains(join)));
         }
-        if let Some(opacity) = looks.number("opacity") {
-            let _ = write!(out, ",opacity={}", drawn(opacity));
-        }
+        option(&mut out, "opacity", looks.number("opacity").map(drawn));
         out
     }
 
@@ -280,9 +269,8 @@ impl<'a> Writer<'a> {
             let paper = self.colour(hex);
             let _ = write!(options, ",fill={paper},fill opacity=0.8,text opacity=1");
         }
-        if let Some(opacity) = looks.number("opacity").or_else(|| looks.number("fill-opacity")) {
-            let _ = write!(options, ",text opacity={}", drawn(opacity));
-        }
+        let opacity = looks.number("opacity").or_else(|| looks.number("fill-opacity"));
+        option(&mut options, "text opacity", opacity.map(drawn));
         let (letters, line) = (drawn(size * BP), drawn(size * BP * 1.2));
         let bold = if looks.get("font-weight").is_some_and(|w| w == "bold" || w >= "600") { "\\bfseries" } else { "" };
         let italic = if looks.get("font-style") == Some("italic") { "\\itshape" } else { "" };
@@ -346,27 +334,27 @@ fn curve(start: Xy, steps: &[Step]) -> String {
         let _ = write!(out, "..controls {} and {}..{}", point(a), point(b), point(to));
     };
     for step in steps {
-        at = match *step {
-            Step::Line(to) => {
-                let _ = write!(out, "--{}", point(to));
-                to
-            }
+        match *step {
+            Step::Line(to) => out.extend(["--", &point(to)]),
             Step::Quad(control, to) => {
                 let towards = |p: Xy| p + (control - p) * (2.0 / 3.0);
                 cubic(&mut out, towards(at), towards(to), to);
-                to
             }
-            Step::Cubic(a, b, to) => {
-                cubic(&mut out, a, b, to);
-                to
-            }
+            Step::Cubic(a, b, to) => cubic(&mut out, a, b, to),
             Step::Round { radius, large, to } => {
                 arc(at, to, radius, large, &mut |a, b, to| cubic(&mut out, a, b, to));
-                to
             }
-        };
+        }
+        at = step.end();
     }
     out
+}
+
+/// Adds `,name=value` where there is a value.
+fn option(out: &mut String, name: &str, value: Option<impl Display>) {
+    if let Some(value) = value {
+        let _ = write!(out, ",{name}={value}");
+    }
 }
 
 /// `on 3bp off 2bp` of `4 2.67`.

@@ -96,6 +96,12 @@ impl Bounds {
         })
     }
 
+    /// Its four corners, one after the other.
+    pub(crate) const fn corners(&self) -> [Xy; 4] {
+        let Self { min, max } = *self;
+        [min, xy(max.x, min.y), max, xy(min.x, max.y)]
+    }
+
     pub(crate) fn size(&self) -> Xy {
         self.max - self.min
     }

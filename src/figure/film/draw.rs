@@ -15,14 +15,14 @@ use super::frames::{Fate, Frame, Written};
 use super::sides;
 use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::text;
-use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::flatten::Placed;
 use crate::figure::layout::crowd::Shape;
 use crate::figure::structure::arrows::Arrow;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::picture::Picture;
-use crate::figure::structure::plate::Plate;
+use crate::figure::structure::plate::{OfState, Plate};
 use crate::figure::structure::pointer::Pointer;
 use crate::figure::structure::skeleton::{destination, faces, half_edges, vertices};
 use crate::figure::{Detail, FigureError, FigureOptions};
@@ -43,7 +43,7 @@ const MOST: usize = 12;
 
 /// All states of a film, placed on one canvas.
 pub(super) struct Stage<'a> {
-    pub(super) plates: Vec<Plate<'a, dyn PlanarView + 'a>>,
+    pub(super) plates: Vec<OfState<'a>>,
     states: &'a [Table],
     /// The states as they are drawn.
     placed: &'a [Placed],
@@ -218,8 +218,8 @@ impl<'a> Stage<'a> {
         for name in names.iter().take(CHIPS) {
             let width = text::width(name, CHIP_TEXT, true) + 14.0;
             let corner = xy(left, size.y - CHIP.y - CHIP_HEIGHT);
-            let outline = [xy(0.0, 0.0), xy(width, 0.0), xy(width, CHIP_HEIGHT), xy(0.0, CHIP_HEIGHT)];
-            let outlines = vec![outline.map(|offset| corner + offset).to_vec()];
+            let outline = Bounds { min: corner, max: corner + xy(width, CHIP_HEIGHT) }.corners();
+            let outlines = vec![outline.to_vec()];
             nodes.push(Node::Area { class: "cb", hatch: None, outlines });
             let at = corner + xy(0.5 * width, 0.5 * CHIP_HEIGHT);
             nodes.push(Node::Text { class: "cl", at, size: CHIP_TEXT, text: name.clone() });
@@ -323,7 +323,7 @@ fn with_removed(frame: &Frame) -> Table {
 }
 
 /// The next pointers that stay, then those that have gone, then the new ones.
-fn arrows(plate: &Plate<'_, dyn PlanarView + '_>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
+fn arrows(plate: &OfState<'_>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
     let is_new = |slot: Slot| frame.written.iter().any(|w| w.fate == Fate::New && w.slot == slot);
     let visible = |h: HalfEdgeId| look.half_edge(h) != Mark::Hidden;
     let stays = |h: &HalfEdgeId| {
@@ -364,13 +364,7 @@ fn arrows(plate: &Plate<'_, dyn PlanarView + '_>, frame: &Frame, look: &Look, pl
 }
 
 /// The next pointer of a bent half-edge, or to one: beside the pieces between the two.
-fn bent_next(
-    plate: &Plate<'_, dyn PlanarView + '_>,
-    view: &Table,
-    pointer: Pointer,
-    placed: &Placed,
-    look: &Look,
-) -> Option<Node> {
+fn bent_next(plate: &OfState<'_>, view: &Table, pointer: Pointer, placed: &Placed, look: &Look) -> Option<Node> {
     let Pointer::Next(h) = pointer else { return None };
     if placed.pieces.is_empty() {
         return None;

@@ -72,11 +72,8 @@ pub(super) fn moments(journal: &Journal) -> Vec<Moment> {
             continue;
         }
         let heading = format!("{} {}", step.number, step.what);
-        let parts = if changes.iter().filter(|change| is_assignment(change)).count() > MOST {
-            cut(changes)
-        } else {
-            Vec::new()
-        };
+        let is_long = changes.iter().filter(|change| is_assignment(change)).count() > MOST;
+        let parts = if is_long { cut(changes) } else { Vec::new() };
         if parts.len() < 2 {
             out.push(Moment { heading, idle: std::mem::take(&mut idle), changes: changes.to_vec() });
             continue;

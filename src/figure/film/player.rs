@@ -8,6 +8,7 @@
 //!   └───────────────────────────────┘
 //! ```
 
+use crate::figure::canvas::number::drawn;
 use crate::figure::canvas::vector::Xy;
 use crate::figure::{Figure, escaped};
 
@@ -22,9 +23,9 @@ pub(super) fn page(stepper: &Figure, headings: &[String], frame: Xy) -> String {
     let (prefix, title) = (&stepper.scene.prefix, escaped(&stepper.scene.title));
     let css = CSS
         .replace("#FIG", &format!("#{prefix}"))
-        .replace("RATIO", &crate::figure::canvas::number::drawn(frame.x / frame.y))
-        .replace("LEAST", &crate::figure::canvas::number::drawn(LEAST * frame.x))
-        .replace("WIDTH", &crate::figure::canvas::number::drawn(2.0 * frame.x));
+        .replace("RATIO", &drawn(frame.x / frame.y))
+        .replace("LEAST", &drawn(LEAST * frame.x))
+        .replace("WIDTH", &drawn(2.0 * frame.x));
     let svg = stepper.to_svg();
     let last = headings.len().saturating_sub(1);
     let entry =

@@ -123,12 +123,8 @@ impl Stage<'_> {
     /// Leaves out the half-edges beside short edges, with their names: the edges stay.
     pub(super) fn leave_out_short(&mut self) {
         for plate in &mut self.plates {
-            let short: Vec<HalfEdgeId> = plate
-                .shafts
-                .iter()
-                .filter(|(_, shaft)| shaft.as_ref().is_some_and(|shaft| shaft.edge_length < SHORT))
-                .map(|(h, _)| h)
-                .collect();
+            let lengths = plate.shafts.iter().filter_map(|(h, shaft)| Some((h, shaft.as_ref()?.edge_length)));
+            let short: Vec<HalfEdgeId> = lengths.filter(|&(_, length)| length < SHORT).map(|(h, _)| h).collect();
             for h in short {
                 plate.shafts.set(h, None, None);
                 plate.labels.half_edges.set(h, None, None);

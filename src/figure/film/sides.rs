@@ -16,8 +16,7 @@ use crate::figure::canvas::vector::xy;
 use crate::figure::flatten::{Names, Placed};
 use crate::figure::structure::arrows::head;
 use crate::figure::structure::look::{Look, Mark};
-use crate::figure::structure::plate::Plate;
-use crate::plane::PlanarView;
+use crate::figure::structure::plate::OfState;
 use std::fmt::Write;
 
 /// The classes of the colours, one after the other.
@@ -34,7 +33,7 @@ fn letter(number: usize) -> String {
 }
 
 /// The sides that are shown.
-pub(super) fn nodes(plate: &Plate<'_, dyn PlanarView + '_>, placed: &Placed, look: &Look) -> Vec<Node> {
+pub(super) fn nodes(plate: &OfState<'_>, placed: &Placed, look: &Look) -> Vec<Node> {
     let shown = placed.sides.iter().filter(|(h, _)| look.half_edge(*h) != Mark::Hidden);
     let side = |&(h, number): &(_, usize)| {
         let (from, to) = plate.skeleton().segment(h)?;

@@ -11,7 +11,7 @@
 //! Only the five half-edges and arrows that belong to `h` have colours; the rest is grey.
 
 use crate::figure::canvas::scene::{Group, Node};
-use crate::figure::canvas::vector::{Bounds, Xy, xy};
+use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::canvas::{crop, text};
 use crate::figure::layout::crowd::{Crowd, Shape};
 use crate::figure::structure::arrows::Arrow;
@@ -151,15 +151,12 @@ fn names<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, view: &V, h: HalfEdgeId) 
 /// The nearest free place round a point.
 fn name_near<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, p: Xy, name: &str, crowd: &Crowd) -> Option<Label> {
     let half = xy(0.5 * text::width(name, NAME, true), text::half_height(NAME));
-    let inside = Bounds { min: xy(4.0, 4.0), max: plate.picture.fit.size - xy(4.0, 4.0) };
+    let inside = crop::window(plate.picture.fit.size).grown(-4.0);
     let steps = |to: i32, step: f64| (-to..=to).map(move |i| step * f64::from(i));
     let mut places: Vec<Xy> = steps(14, 6.0).flat_map(|x| steps(12, 5.0).map(move |y| p + xy(x, y))).collect();
     places.sort_by(|a, b| (*a - p).length().total_cmp(&(*b - p).length()));
-    let free = |at: &Xy| {
-        let bounds = Bounds::around(*at, half.x, half.y);
-        inside.contains(&bounds) && crowd.blocker(&bounds.grown(AIR)).is_none()
-    };
-    places.into_iter().find(free).map(|at| Label { at, size: NAME, lines: vec![name.to_owned()] })
+    let place = places.into_iter().find(|&at| crowd.has_room(at, half, &inside, AIR));
+    place.map(|at| Label { at, size: NAME, lines: vec![name.to_owned()] })
 }
 
 fn name_beside<V: PlanarView + ?Sized>(
@@ -173,13 +170,10 @@ fn name_beside<V: PlanarView + ?Sized>(
     let aside = shaft.along.left();
     let distance = 4.5 + half.x * aside.x.abs() + half.y * aside.y.abs();
     let places = [0.5, 0.3, 0.7, 0.22, 0.78, 0.4, 0.6];
-    let inside = Bounds { min: xy(4.0, 4.0), max: plate.picture.fit.size - xy(4.0, 4.0) };
-    let free = |at: &Xy| {
-        let bounds = Bounds::around(*at, half.x, half.y);
-        inside.contains(&bounds) && crowd.blocker(&bounds).is_none()
-    };
+    let inside = crop::window(plate.picture.fit.size).grown(-4.0);
     let mut places = places.into_iter().map(|t| shaft.at(t) + aside * distance);
-    places.find(free).map(|at| Label { at, size: NAME, lines: vec![name] })
+    let place = places.find(|&at| crowd.has_room(at, half, &inside, 0.0));
+    place.map(|at| Label { at, size: NAME, lines: vec![name] })
 }
 
 /// The fields and what they are.

@@ -105,7 +105,7 @@ fn part(fit: &Fit, corners: [[f64; 2]; 2]) -> Bounds {
 }
 
 fn outline(b: Bounds) -> [Node; 4] {
-    let corners = [b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
+    let corners = b.corners();
     [0, 1, 2, 3].map(|i| Node::Line { class: "leader", from: corners[i], to: corners[(i + 1) % 4] })
 }
 

@@ -12,7 +12,7 @@
 //! *Computational Geometry*, 3rd edition, section 2.2. (Inside the kit the twin costs no memory: it is h ^ 1.)
 
 use crate::figure::canvas::scene::{Group, Node, Scene};
-use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::structure::arrows::Arrow;
 use crate::figure::structure::pointer_style;
 use crate::figure::{Detail, Figure, FigureOptions};
@@ -115,7 +115,7 @@ fn text(class: &'static str, at: Xy, size: f64, text: &str) -> Node {
 }
 
 fn outline(at: Xy, size: Xy) -> Vec<Vec<Xy>> {
-    vec![vec![at, at + xy(size.x, 0.0), at + size, at + xy(0.0, size.y)]]
+    vec![Bounds { min: at, max: at + size }.corners().to_vec()]
 }
 
 fn record(record: &Record) -> Node {

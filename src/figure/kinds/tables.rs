@@ -215,13 +215,11 @@ impl Words {
 
     fn group(&self, corner: Xy, widths: &[f64], marked: Option<&str>) -> Node {
         let total: f64 = widths.iter().sum();
-        let middles: Vec<f64> = widths
-            .iter()
-            .scan(0.0, |left, &width| {
-                *left += width;
-                Some(*left - 0.5 * width)
-            })
-            .collect();
+        let middle = |left: &mut f64, width: &f64| {
+            *left += width;
+            Some(*left - 0.5 * width)
+        };
+        let middles: Vec<f64> = widths.iter().scan(0.0, middle).collect();
         let cell = |class: &'static str, column: usize, y: f64, word: &str| Node::Text {
             class,
             at: corner + xy(middles[column], y),

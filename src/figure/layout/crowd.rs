@@ -143,6 +143,12 @@ impl Crowd {
         self.under(bounds).map(|&(shape, _)| shape).find(|shape| shape.meets(bounds))
     }
 
+    /// Whether a box of this half size has a place here: inside of a frame, with some air to every shape.
+    pub(crate) fn has_room(&self, at: Xy, half: Xy, frame: &Bounds, air: f64) -> bool {
+        let bounds = Bounds::around(at, half.x, half.y);
+        frame.contains(&bounds) && self.blocker(&bounds.grown(air)).is_none()
+    }
+
     /// The distance from `p` to the nearest shape whose tag passes, if that is below `limit`; else `limit`.
     pub(crate) fn nearest(&self, p: Xy, limit: f64, passes: impl Fn(u32) -> bool) -> f64 {
         self.under(&Bounds::around(p, limit, limit))

@@ -211,14 +211,9 @@ impl Tables<'_> {
         ids: impl Iterator<Item = I>,
         row: impl Fn(I) -> String,
     ) -> String {
-        let mut rows = String::new();
-        let mut count = 0;
-        for id in ids {
-            if count < ROWS {
-                rows.push_str(&row(id));
-            }
-            count += 1;
-        }
+        let mut ids = ids.fuse();
+        let rows: Vec<String> = ids.by_ref().take(ROWS).map(row).collect();
+        let (count, rows) = (rows.len() + ids.count(), rows.concat());
         if count == 0 {
             return format!("<h2>{title} (0)</h2>\n");
         }
@@ -281,15 +276,5 @@ impl Target {
 /// The text with the characters that HTML reserves as entities.
 #[must_use]
 pub fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c => out.push(c),
-        }
-    }
-    out
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -79,7 +79,7 @@ pub(super) fn polyline(points: &[Xy], frame: &Bounds) -> Vec<Vec<Xy>> {
 /// The rings (even-odd) of the wedge that runs counter-clockwise from the ray along `right` to the ray along
 /// `left`, inside the frame. `turn` is the side of `right` on which `left` lies.
 pub(super) fn wedge(apex: Xy, right: Xy, left: Xy, turn: Ordering, frame: &Bounds) -> Vec<Vec<Xy>> {
-    let corners = vec![frame.min, xy(frame.max.x, frame.min.y), frame.max, xy(frame.min.x, frame.max.y)];
+    let corners = frame.corners().to_vec();
     let beside = |ring: &[Xy], inward: Xy| cut_by_side(ring, inward, apex.dot(inward));
     match turn {
         Ordering::Greater => vec![beside(&beside(&corners, right.left()), left.left() * -1.0)],

@@ -10,7 +10,7 @@ use super::places::badge_at;
 use super::{Glyph, Role, Sketch};
 use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::text;
-use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use std::collections::BTreeSet;
 
 /// Size of the words and distance of their lines.
@@ -61,12 +61,6 @@ impl Sketch {
     }
 }
 
-impl Entry {
-    pub(in crate::figure) fn words(&self) -> &str {
-        &self.words
-    }
-}
-
 /// Takes the entries of several sketches together: samples once, badges all.
 pub(in crate::figure) fn merged(legends: impl IntoIterator<Item = Vec<Entry>>) -> Vec<Entry> {
     let mut known: BTreeSet<(Role, String)> = BTreeSet::new();
@@ -108,6 +102,10 @@ pub(in crate::figure) fn nodes(entries: &[Entry], corner: Xy, width: f64, instan
 }
 
 impl Entry {
+    pub(in crate::figure) fn words(&self) -> &str {
+        &self.words
+    }
+
     /// A small picture, centred on a height.
     fn sample(&self, left: Xy) -> Vec<Node> {
         let (from, to) = (left, left + xy(30.0, 0.0));
@@ -116,13 +114,11 @@ impl Entry {
             Sample::Badge(number) => return badge_at(*number, middle).to_vec(),
             Sample::Item(item) => item,
         };
-        let half = xy(15.0, 6.0);
-        let corners = [xy(-1.0, -1.0), xy(1.0, -1.0), xy(1.0, 1.0), xy(-1.0, 1.0)];
-        let outline: Vec<Xy> = corners.iter().map(|c| middle + xy(c.x * half.x, c.y * half.y)).collect();
+        let outline = Bounds::around(middle, 15.0, 6.0).corners();
         match &item.kind {
             Kind::Region(_) | Kind::Cone { .. } => {
                 let (class, hatch) = if item.hatched { ("hatched", Some("hole-hatch")) } else { ("fi", None) };
-                let mut nodes = vec![Node::Area { class, hatch, outlines: vec![outline.clone()] }];
+                let mut nodes = vec![Node::Area { class, hatch, outlines: vec![outline.to_vec()] }];
                 if item.outlined {
                     let lines = (0..4).map(|i| (outline[i], outline[(i + 1) % 4]));
                     nodes.extend(lines.map(|(from, to)| Node::Line { class: "ol", from, to }));

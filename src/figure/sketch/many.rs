@@ -130,7 +130,7 @@ impl Bulk {
         for node in drawn.nodes {
             match node {
                 Node::Line { from, to, .. } => self.line(from, [to]),
-                Node::Curve { start, steps, .. } => self.line(start, steps.into_iter().map(end)),
+                Node::Curve { start, steps, .. } => self.line(start, steps.iter().map(Step::end)),
                 other => self.nodes.push(other),
             }
         }
@@ -185,11 +185,5 @@ impl Bulk {
             nodes,
             ..Group::default()
         }
-    }
-}
-
-fn end(step: Step) -> Xy {
-    match step {
-        Step::Line(to) | Step::Quad(_, to) | Step::Cubic(_, _, to) | Step::Round { to, .. } => to,
     }
 }

@@ -9,7 +9,7 @@
 
 use crate::figure::canvas::crop;
 use crate::figure::canvas::scene::Node;
-use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::canvas::vector::Xy;
 use crate::figure::layout::crowd::{Crowd, INK};
 use crate::figure::layout::fit::Fit;
 use crate::figure::layout::grid::{self, Panel};
@@ -183,9 +183,8 @@ pub(in crate::figure) fn common_fit(fits: Vec<(Fit, Detail)>) -> Option<(Fit, De
 
 /// A thin line round a panel.
 fn frame(size: Xy) -> Node {
-    let b = crop::window(size).grown(-0.5);
-    let corners = vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
-    Node::Area { class: "frame", hatch: None, outlines: vec![corners] }
+    let corners = crop::window(size).grown(-0.5).corners();
+    Node::Area { class: "frame", hatch: None, outlines: vec![corners.to_vec()] }
 }
 
 fn add_notes(notes: &mut Notes, panel: &str, new: Vec<String>) {

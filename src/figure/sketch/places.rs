@@ -97,9 +97,7 @@ pub(super) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Cro
         anchors.iter().flat_map(places).collect::<Vec<_>>()
     });
     let is_free = |place: &Place| {
-        let bounds = Bounds::around(place.at, half.x, half.y);
-        room.contains(&bounds)
-            && crowd.blocker(&bounds.grown(1.5)).is_none()
+        crowd.has_room(place.at, half, &room, 1.5)
             && place.tie.is_none_or(|(from, to)| crowd.crossings(from, to).is_some())
     };
     let place = centred.chain(around).find(is_free)?;

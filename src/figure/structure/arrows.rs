@@ -66,41 +66,24 @@ impl Arrow {
 
     /// What it covers, curves as a few chords.
     pub(crate) fn shapes(&self) -> Vec<Shape> {
-        let mut out = Vec::new();
         let mut at = self.start;
+        let mut way = vec![at];
         for step in &self.steps {
-            let to = match *step {
-                Step::Line(to) => to,
-                Step::Round { radius, large, to } => {
-                    arc(at, to, radius, large, &mut |first, second, to| {
-                        let middle = (at + (first + second) * 3.0 + to) * 0.125;
-                        out.extend([Shape::Segment(at, middle, 1.0), Shape::Segment(middle, to, 1.0)]);
-                        at = to;
-                    });
-                    to
-                }
-                Step::Quad(control, to) => {
-                    let middle = quad(at, control, to, 0.5);
-                    out.push(Shape::Segment(at, middle, 1.0));
-                    at = middle;
-                    to
-                }
-                Step::Cubic(first, second, to) => {
-                    let middle = (at + (first + second) * 3.0 + to) * 0.125;
-                    out.push(Shape::Segment(at, middle, 1.0));
-                    at = middle;
-                    to
-                }
-            };
-            out.push(Shape::Segment(at, to, 1.0));
-            at = to;
+            match *step {
+                Step::Line(_) => {}
+                Step::Round { radius, large, to } => arc(at, to, radius, large, &mut |first, second, to| {
+                    way.extend([cubic_middle(at, first, second, to), to]);
+                    at = to;
+                }),
+                Step::Quad(control, to) => way.push(quad(at, control, to, 0.5)),
+                Step::Cubic(first, second, to) => way.push(cubic_middle(at, first, second, to)),
+            }
+            at = step.end();
+            way.push(at);
         }
-        out.extend(
-            self.heads
-                .iter()
-                .flat_map(|&[tip, left, _, right]| [Shape::Segment(tip, left, 0.5), Shape::Segment(tip, right, 0.5)]),
-        );
-        out
+        let chords = way.windows(2).map(|w| Shape::Segment(w[0], w[1], 1.0));
+        let sides = |&[tip, left, _, right]: &[Xy; 4]| [left, right].map(|end| Shape::Segment(tip, end, 0.5));
+        chords.chain(self.heads.iter().flat_map(sides)).collect()
     }
 
     /// A straight arrow with a head at its end, and at its start if wanted.
@@ -131,6 +114,11 @@ impl Arrow {
 pub(crate) fn head(tip: Xy, along: Xy, size: f64) -> [Xy; 4] {
     let (back, aside) = (tip - along * size, along.left() * (0.46 * size));
     [tip, back + aside, tip - along * (0.7 * size), back - aside]
+}
+
+/// The middle of a curve by two control points.
+fn cubic_middle(a: Xy, first: Xy, second: Xy, b: Xy) -> Xy {
+    (a + (first + second) * 3.0 + b) * 0.125
 }
 
 fn quad(a: Xy, control: Xy, b: Xy, t: f64) -> Xy {

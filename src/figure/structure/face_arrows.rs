@@ -131,10 +131,7 @@ fn round_the_frame(label: &Label, shaft: &Shaft, t: f64, size: Xy) -> Vec<Vec<Xy
         (false, _, true) => (&[], &[bottom_right, bottom_left, top_left]),
         (false, _, false) => (&[top_left, bottom_left], &[bottom_right]),
     };
-    let way = |start: Xy, bends: &[Xy]| {
-        let ends = [foot, from];
-        std::iter::once(start).chain(bends.iter().copied()).chain(ends).collect::<Vec<Xy>>()
-    };
+    let way = |start: Xy, bends: &[Xy]| [&[start], bends, &[foot, from]].concat();
     vec![way(left, by_left), way(below, by_right)]
 }
 

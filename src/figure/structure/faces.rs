@@ -91,24 +91,16 @@ pub(crate) fn regions<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, cyc
 
 /// The attributes of a face: its pointers as the view has them.
 pub(crate) fn attributes<V: PlanarView + ?Sized>(view: &V, face: FaceId, options: &FigureOptions) -> Attributes {
-    let mut out = Vec::new();
-    if let Some(h) = view.half_edge(face) {
-        out.push(("data-he", h.to_string()));
-    }
     let rings: Vec<String> = view.inner_components(face).iter().map(|&ring| Element::from(ring).to_string()).collect();
-    if !rings.is_empty() {
-        out.push(("data-rings", rings.join(" ")));
-    }
-    if view.outer_face() == Some(face) {
-        out.push(("data-outer", "true".to_owned()));
-    }
-    if view.is_hole(face) {
-        out.push(("data-hole", "true".to_owned()));
-    }
-    if let Some(name) = options.name(face) {
-        out.push(("data-name", name.to_owned()));
-    }
-    out
+    let is_so = |is_so: bool| is_so.then(|| "true".to_owned());
+    let all = [
+        ("data-he", view.half_edge(face).map(|h| h.to_string())),
+        ("data-rings", (!rings.is_empty()).then(|| rings.join(" "))),
+        ("data-outer", is_so(view.outer_face() == Some(face))),
+        ("data-hole", is_so(view.is_hole(face))),
+        ("data-name", options.name(face).map(str::to_owned)),
+    ];
+    all.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
 }
 
 /// The tooltip of a face.

@@ -9,6 +9,7 @@
 //! Small faces choose first: a half-edge without a label still has a neighbour's number to count from, a face
 //! without one has nothing. What finds no place is left out; its tooltip remains.
 
+use crate::figure::canvas::crop::window;
 use crate::figure::canvas::text::{self, LEGIBLE};
 use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::layout::crowd::{Crowd, INK, Shape};
@@ -110,8 +111,8 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         Some(Shape::Disc(self.skeleton.place(v)?, self.radii[v] + 1.5))
     }
 
-    fn is_on_canvas(&self, bounds: &Bounds) -> bool {
-        Bounds { min: xy(4.0, 4.0), max: self.size - xy(4.0, 4.0) }.contains(bounds)
+    fn canvas(&self) -> Bounds {
+        window(self.size).grown(-4.0)
     }
 
     fn vertex_names(&self, crowd: &mut Crowd) -> VertexMap<Option<Label>> {
@@ -129,20 +130,16 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
                 continue;
             }
             let size = (0.85 * style.vertex_text).max(style.vertex_text.min(LEGIBLE));
-            let half = (0.5 * text::width(&text, size, true), text::half_height(size));
+            let half = xy(0.5 * text::width(&text, size, true), text::half_height(size));
             let corners = spokes.bisectors(v);
             let compass =
                 [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7), (-0.7, -0.7)];
             let directions: Vec<Xy> = corners.into_iter().take(6).chain(compass.map(|(x, y)| xy(x, y))).collect();
             let places = [4.0, 10.0, 16.0].into_iter().flat_map(|gap| {
-                let reach = |d: &Xy| self.radii[v] + gap + half.0 * d.x.abs() + half.1 * d.y.abs();
+                let reach = |d: &Xy| self.radii[v] + gap + half.x * d.x.abs() + half.y * d.y.abs();
                 directions.iter().map(move |d| at + *d * reach(d)).collect::<Vec<_>>()
             });
-            let free = |place: &Xy| {
-                let bounds = Bounds::around(*place, half.0, half.1);
-                self.is_on_canvas(&bounds) && crowd.blocker(&bounds.grown(1.0)).is_none()
-            };
-            if let Some(at) = places.into_iter().find(free) {
+            if let Some(at) = places.into_iter().find(|&at| crowd.has_room(at, half, &self.canvas(), 1.0)) {
                 let label = Label { at, size, lines: vec![text] };
                 crowd.add(Shape::Box(label.bounds()), v.number());
                 out[v] = Some(label);
@@ -171,16 +168,13 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             return None;
         }
         let (size, text) = (self.options.style.half_edge_text, text::shortened(&self.options.caption(h), NAME));
-        let (width, height) = (0.5 * text::width(&text, size, false), text::half_height(size));
+        let half = xy(0.5 * text::width(&text, size, false), text::half_height(size));
         let aside = shaft.along.left();
-        let distance = BESIDE + width * aside.x.abs() + height * aside.y.abs();
+        let distance = BESIDE + half.x * aside.x.abs() + half.y * aside.y.abs();
         let middle = shaft.middle + aside * distance;
-        let places = PLACES.into_iter().map(|t| middle + shaft.along * (t * shaft.edge_length));
-        let free = |place: &Xy| {
-            let bounds = Bounds::around(*place, width, height);
-            self.is_on_canvas(&bounds) && crowd.blocker(&bounds).is_none()
-        };
-        places.into_iter().find(free).map(|at| Label { at, size, lines: vec![text] })
+        let mut places = PLACES.into_iter().map(|t| middle + shaft.along * (t * shaft.edge_length));
+        let place = places.find(|&at| crowd.has_room(at, half, &self.canvas(), 0.0));
+        place.map(|at| Label { at, size, lines: vec![text] })
     }
 
     /// Labels of bounded faces. The first time only those that do not reach their full size; then the others.
@@ -250,7 +244,7 @@ pub(crate) fn lead_out<V: PlanarView + ?Sized>(
         regions,
         is_taken: &|region| !is_outer(region) && !view.is_hole(region.face),
         size,
-        canvas: Bounds { min: xy(6.0, 6.0), max: canvas - xy(6.0, 6.0) },
+        canvas: window(canvas).grown(-6.0),
     };
     search.place(&wanted, crowd)
 }

@@ -82,9 +82,7 @@ impl Leader {
         let nodes = [line, dot].into_iter().chain(self.label.nodes("ll")).collect();
         Node::Group(Group { class: "lead", id: Some(id), nodes, ..Group::default() })
     }
-}
 
-impl Leader {
     /// Whether the two cannot be drawn both.
     fn meets(&self, leader: &Self) -> bool {
         let (own, bounds) = (self.label.bounds().grown(AIR), leader.label.bounds());

@@ -14,6 +14,7 @@
 use crate::figure::canvas::scripts::typeset;
 use crate::figure::canvas::style::Colour;
 use crate::figure::canvas::text;
+use crate::figure::structure::skeleton::ids;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::View;
 use std::collections::BTreeMap;
@@ -135,17 +136,12 @@ impl Overrides {
         let Some(((line, column), element)) = wrong.map(|(&element, entry)| (entry.place, element)).min() else {
             return Ok(());
         };
-        let bound = match element {
-            Element::Vertex(_) => view.vertex_bound(),
-            Element::HalfEdge(_) | Element::Edge(_) => view.half_edge_bound(),
-            Element::Face(_) => view.face_bound(),
+        let [vertices, half_edges, faces] = [view.vertex_bound(), view.half_edge_bound(), view.face_bound()];
+        let (count, bound) = match element {
+            Element::Vertex(_) => (ids(vertices, |v| view.has_vertex(v)).count(), vertices),
+            Element::HalfEdge(_) | Element::Edge(_) => (ids(half_edges, |h| view.has_half_edge(h)).count(), half_edges),
+            Element::Face(_) => (ids(faces, |f| view.has_face(f)).count(), faces),
         };
-        let id = |i: usize| match element {
-            Element::Vertex(_) => Element::from(VertexId(i as u32)),
-            Element::HalfEdge(_) | Element::Edge(_) => HalfEdgeId(i as u32).into(),
-            Element::Face(_) => FaceId(i as u32).into(),
-        };
-        let count = (0..bound).filter(|&i| is_there(id(i))).count();
         Err(OverridesError { line, column, what: element.missing(count, bound) })
     }
 
@@ -167,22 +163,14 @@ impl Overrides {
         let mut out = String::new();
         for (element, entry) in &self.entries {
             let Some(colour) = entry.colour else { continue };
-            let mut rule = |class: &str, properties: &str| {
-                let _ = writeln!(out, "#{prefix} #{prefix}-{element} .{class}{{{properties}}}");
+            let parts: &[(&str, &str, &str)] = match element {
+                Element::Vertex(_) => &[("vd", "stroke", ""), ("vl", "fill", ""), ("dot", "fill", "")],
+                Element::HalfEdge(_) => &[("sh", "stroke", ""), ("barb", "fill", ""), ("hl", "fill", "")],
+                Element::Face(_) => &[("face", "fill", ";fill-opacity:1")],
+                Element::Edge(_) => &[],
             };
-            match element {
-                Element::Vertex(_) => {
-                    rule("vd", &format!("stroke:{colour}"));
-                    rule("vl", &format!("fill:{colour}"));
-                    rule("dot", &format!("fill:{colour}"));
-                }
-                Element::HalfEdge(_) => {
-                    rule("sh", &format!("stroke:{colour}"));
-                    rule("barb", &format!("fill:{colour}"));
-                    rule("hl", &format!("fill:{colour}"));
-                }
-                Element::Face(_) => rule("face", &format!("fill:{colour};fill-opacity:1")),
-                Element::Edge(_) => {}
+            for (class, property, more) in parts {
+                let _ = writeln!(out, "#{prefix} #{prefix}-{element} .{class}{{{property}:{colour}{more}}}");
             }
         }
         out

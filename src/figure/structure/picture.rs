@@ -110,10 +110,8 @@ impl Survey {
 
         let mut notes = Notes::default();
         notes.add("without a position, not drawn", vertices(view).filter(|&v| view.position(v).is_none()));
-        notes.add(
-            "with an unknown end or without length, not drawn",
-            half_edges(view).filter(|&h| skeleton.segment(h).is_none_or(|(a, b)| a == b)),
-        );
+        let without_length = half_edges(view).filter(|&h| skeleton.segment(h).is_none_or(|(a, b)| a == b));
+        notes.add("with an unknown end or without length, not drawn", without_length);
         (Picture { view, options, skeleton, fit, detail }, notes)
     }
 }
@@ -130,19 +128,13 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     pub(crate) fn survey(view: &V, options: &FigureOptions, points: Vec<Point>) -> Result<Survey, FigureError> {
         check(view)?;
         let skeleton = Skeleton::new(view);
-        let extent = options.crop.map_or_else(
-            || {
-                Extent::of(
-                    vertices(view).filter_map(|v| view.position(v)).chain(points).chain(options.reach.iter().copied()),
-                )
-            },
-            |corners| Extent::of(corners.iter().copied()),
-        );
-        let load = Load {
-            edges: skeleton.edges.len(),
-            vertices: vertices(view).count(),
-            median: median(view, &skeleton, extent.span()),
+        let placed = vertices(view).filter_map(|v| view.position(v));
+        let extent = match options.crop {
+            Some(corners) => Extent::of(corners),
+            None => Extent::of(placed.chain(points).chain(options.reach.iter().copied())),
         };
+        let (edges, median) = (skeleton.edges.len(), median(view, &skeleton, extent.span()));
+        let load = Load { edges, vertices: vertices(view).count(), median };
         Ok(Survey { skeleton, extent, load })
     }
 
@@ -183,15 +175,8 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         for placed in labels.iter().flatten().chain(outer) {
             crowd.add(Shape::Box(placed.bounds()), 0);
         }
-        let leaders = lead_out(
-            self.view,
-            regions,
-            &captions,
-            &labels,
-            (0.8 * largest).max(sizes.smallest),
-            self.fit.size,
-            &mut crowd,
-        );
+        let size = (0.8 * largest).max(sizes.smallest);
+        let leaders = lead_out(self.view, regions, &captions, &labels, size, self.fit.size, &mut crowd);
         let name = |face: FaceId| look.name(&format!("{face}-label"));
         let groups = leaders.iter().map(|(i, leader)| leader.group(name(regions[*i].face))).collect();
         (labels, groups)
@@ -252,12 +237,11 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
 
     /// The frame minus the mesh; where the outline is not known, the frame minus the box round the mesh.
     fn outer_area(&self, rings: &[Vec<Xy>], unknown: bool) -> Node {
-        let corners = |b: Bounds| vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
         let frame = self.skeleton.window.unwrap_or_else(|| crop::window(self.fit.size).grown(-MARGIN));
-        let mut outlines = vec![corners(frame)];
+        let mut outlines = vec![frame.corners().to_vec()];
         if unknown {
             let mesh = Bounds::of(self.skeleton.at.as_slice().iter().copied().flatten());
-            outlines.extend(mesh.map(corners));
+            outlines.extend(mesh.map(|mesh| mesh.corners().to_vec()));
         } else {
             outlines.extend(rings.iter().cloned());
         }

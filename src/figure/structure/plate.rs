@@ -24,7 +24,7 @@ use crate::figure::structure::labels::{Labels, Stage};
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::picture::Picture;
-use crate::figure::structure::skeleton::{Cycles, Skeleton, half_edges, mutual_twin, vertices};
+use crate::figure::structure::skeleton::{Cycles, Skeleton, destination, half_edges, mutual_twin, vertices};
 use crate::figure::structure::vertices::radii;
 use crate::figure::{Detail, FigureError, FigureOptions};
 use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
@@ -42,6 +42,9 @@ pub(crate) struct Plate<'a, V: ?Sized> {
     regions: Vec<Region>,
     open: Vec<FaceId>,
 }
+
+/// The plate of one state of a film.
+pub(crate) type OfState<'a> = Plate<'a, dyn PlanarView + 'a>;
 
 impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
     /// Places a view. `options` are checked ones; their detail should be `Edges` at least. With `arrows`,
@@ -176,17 +179,10 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
             ("data-prev", name(view.prev(h))),
             ("data-face", name(view.face(h))),
         ];
-        let known = |i: usize| pointers[i].1.as_deref().unwrap_or("none");
-        let to = name(crate::figure::structure::skeleton::destination(view, h));
-        let title = format!(
-            "{h}: {} to {}, face {}, twin {}, next {}, prev {}",
-            known(0),
-            to.as_deref().unwrap_or("none"),
-            known(4),
-            known(1),
-            known(2),
-            known(3)
-        );
+        let known = |name: &Option<String>| name.clone().unwrap_or_else(|| "none".to_owned());
+        let [origin, twin, next, prev, face] = pointers.each_ref().map(|(_, name)| known(name));
+        let to = known(&name(destination(view, h)));
+        let title = format!("{h}: {origin} to {to}, face {face}, twin {twin}, next {next}, prev {prev}");
         let mut nodes = Vec::new();
         if let Some(shaft) = self.shafts.get(h).and_then(Option::as_ref) {
             let (from, to) = shaft.line();

@@ -12,8 +12,9 @@ use crate::figure::structure::look::Look;
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::plate::Plate;
 use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin, vertices};
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
+use crate::topology::has;
 
 crate::named! {
     /// A kind of pointer. `prev` is none of them: it is `next` read backwards.
@@ -38,19 +39,6 @@ crate::named! {
     const ALL;
 }
 
-impl Pointers {
-    const fn classes(self) -> (&'static str, &'static str) {
-        let both = match self {
-            Self::Next => "ptr next",
-            Self::Twin => "ptr twin",
-            Self::Outgoing => "ptr outgoing",
-            Self::Boundary => "ptr boundary",
-            Self::Face => "ptr face-of",
-        };
-        (both, self.class())
-    }
-}
-
 /// One pointer, by the element that stores it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Pointer {
@@ -64,42 +52,27 @@ pub(crate) enum Pointer {
 }
 
 impl Pointer {
-    /// The classes of the group, and what its id ends with.
-    const fn class(self) -> (&'static str, &'static str) {
+    /// The classes of the group; the id of the group ends with the second.
+    const fn classes(self) -> &'static str {
         match self {
-            Self::Next(_) => Pointers::Next.classes(),
-            Self::Twin(_) => Pointers::Twin.classes(),
-            Self::Outgoing(_) => Pointers::Outgoing.classes(),
-            Self::Boundary(_) => Pointers::Boundary.classes(),
-            Self::Face(_) => Pointers::Face.classes(),
-            Self::Origin(_) => ("ptr origin", "origin"),
+            Self::Next(_) => "ptr next",
+            Self::Twin(_) => "ptr twin",
+            Self::Outgoing(_) => "ptr outgoing",
+            Self::Boundary(_) => "ptr boundary",
+            Self::Face(_) => "ptr face-of",
+            Self::Origin(_) => "ptr origin",
         }
     }
 
     /// What stores it, its name, and what it says: `h5`, `next`, `h8`.
-    fn words<W: PlanarView + ?Sized>(self, view: &W) -> (String, &'static str, Option<String>) {
+    fn words<W: PlanarView + ?Sized>(self, view: &W) -> (Element, &'static str, Option<Element>) {
         match self {
-            Self::Next(h) => (h.to_string(), "next", view.next(h).map(|n| n.to_string())),
-            Self::Twin(h) => (h.to_string(), "twin", view.twin(h).map(|t| t.to_string())),
-            Self::Outgoing(v) => (v.to_string(), "outgoing", view.outgoing(v).map(|h| h.to_string())),
-            Self::Boundary(f) => (f.to_string(), "boundary", view.half_edge(f).map(|h| h.to_string())),
-            Self::Face(h) => (h.to_string(), "face", view.face(h).map(|f| f.to_string())),
-            Self::Origin(h) => (h.to_string(), "origin", view.origin(h).map(|v| v.to_string())),
-        }
-    }
-}
-
-impl Pointer {
-    /// Whether what it refers to is not in the view: not there at all, or in a face that is not drawn.
-    fn leads_out<W: PlanarView + ?Sized>(self, view: &W) -> bool {
-        let half_edge = |h: Option<HalfEdgeId>| h.is_some_and(|h| !view.has_half_edge(h));
-        match self {
-            Self::Next(h) => half_edge(view.next(h)),
-            Self::Twin(h) => half_edge(view.twin(h)),
-            Self::Outgoing(v) => half_edge(view.outgoing(v)),
-            Self::Boundary(f) => half_edge(view.half_edge(f)),
-            Self::Face(h) => view.face(h).is_some_and(|f| !view.has_face(f)),
-            Self::Origin(h) => view.origin(h).is_some_and(|v| !view.has_vertex(v)),
+            Self::Next(h) => (h.into(), "next", view.next(h).map(Element::from)),
+            Self::Twin(h) => (h.into(), "twin", view.twin(h).map(Element::from)),
+            Self::Outgoing(v) => (v.into(), "outgoing", view.outgoing(v).map(Element::from)),
+            Self::Boundary(f) => (f.into(), "boundary", view.half_edge(f).map(Element::from)),
+            Self::Face(h) => (h.into(), "face", view.face(h).map(Element::from)),
+            Self::Origin(h) => (h.into(), "origin", view.origin(h).map(Element::from)),
         }
     }
 }
@@ -136,16 +109,17 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
         for &pointer in pointers {
             let (owner, field, Some(target)) = pointer.words(view) else { continue };
             let Some(Tagged { arrow, tag }) = self.arrow(view, pointer, t, &mut crowd) else {
-                let list = if pointer.leads_out(view) { &mut outside } else { &mut without };
+                let list = if has(view, target) { &mut without } else { &mut outside };
                 list.push(format!("{owner}.{field}"));
                 continue;
             };
-            let (class, ending) = pointer.class();
+            let class = pointer.classes();
+            let ending = class.trim_start_matches("ptr ");
             let mut nodes = arrow.nodes("pl", "ph").to_vec();
             nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));
             out.push(Node::Group(Group {
                 class,
-                id: Some(format!("{}-{}", look.name(&owner), ending)),
+                id: Some(format!("{}-{ending}", look.name(&owner.to_string()))),
                 title: Some(format!("{owner}.{field} = {target}")),
                 nodes,
                 ..Group::default()

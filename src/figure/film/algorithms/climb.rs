@@ -75,11 +75,8 @@ pub fn hill_climbing(
         moments.push(moment);
     }
     let top = way.last().copied().unwrap_or(start);
-    let mut end = Moment::new(
-        format!("{top} is the furthest"),
-        format!("{} of {} vertices were met", way.len(), solid.vertex_count()),
-        0,
-    );
+    let text = format!("{} of {} vertices were met", way.len(), solid.vertex_count());
+    let mut end = Moment::new(format!("{top} is the furthest"), text, 0);
     base(&mut end, &way);
     end.points.push((Role::Start, point(start), "where it began", Some(start.to_string())));
     end.points.push((Role::Goal, point(top), "the furthest vertex", Some(top.to_string())));

@@ -26,13 +26,11 @@ const MOST_CIRCLES: usize = 60;
 pub fn lawson_flips(given: &Subdivision, is_fixed: impl Fn(EdgeId) -> bool, most: usize) -> SketchFilm {
     let mut events = Vec::new();
     given.clone().make_delaunay_observed(&is_fixed, &mut events);
-    let flips: Vec<EdgeId> = events
-        .iter()
-        .filter_map(|event| match event {
-            FlipEvent::Flipped(e) => Some(*e),
-            FlipEvent::Kept(_) => None,
-        })
-        .collect();
+    let flipped = |event: &FlipEvent| match *event {
+        FlipEvent::Flipped(e) => Some(e),
+        FlipEvent::Kept(_) => None,
+    };
+    let flips: Vec<EdgeId> = events.iter().filter_map(flipped).collect();
     let mut now = given.clone();
     let mut start = Sketch::new();
     let wrong: Vec<EdgeId> = now.non_delaunay_edges(&is_fixed).collect();

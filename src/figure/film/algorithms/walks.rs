@@ -68,14 +68,11 @@ pub fn face_walk(s: &Subdivision, f: FaceId, most: usize) -> Result<SketchFilm, 
 pub fn vertex_walk(s: &Subdivision, v: VertexId, most: usize) -> Result<SketchFilm, IdError> {
     s.check(v)?;
     let round: Vec<HalfEdgeId> = s.outgoing_half_edges(v).collect();
-    let mut steps: Vec<(HalfEdgeId, String)> = Vec::new();
-    for (i, &h) in round.iter().enumerate() {
-        let about = match i.checked_sub(1) {
-            None => format!("{h} is the outgoing half-edge of {v}"),
-            Some(before) => format!("{h} = {}.prev.twin", round[before]),
-        };
-        steps.push((h, about));
-    }
+    let about = |(i, &h): (usize, &HalfEdgeId)| match i.checked_sub(1) {
+        None => (h, format!("{h} is the outgoing half-edge of {v}")),
+        Some(before) => (h, format!("{h} = {}.prev.twin", round[before])),
+    };
+    let steps: Vec<(HalfEdgeId, String)> = round.iter().enumerate().map(about).collect();
     let mut start = Sketch::new();
     start.point(Role::Main, s.point(v)).key("the vertex");
     named(&mut start, s, &[v]);

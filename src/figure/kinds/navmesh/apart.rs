@@ -23,12 +23,8 @@ impl Floor<'_> {
         for ((role, component), name) in [Role::Start, Role::Goal].into_iter().zip(components).zip(names) {
             let faces = self.mesh.component_faces(component);
             let count = self.mesh.component_faces(component).count();
-            self.paint(
-                &mut sketch,
-                role,
-                faces,
-                &format!("{component}, {count} {}: {name}", if count == 1 { "face" } else { "faces" }),
-            );
+            let key = format!("{component}, {count} {}: {name}", if count == 1 { "face" } else { "faces" });
+            self.paint(&mut sketch, role, faces, &key);
         }
         sketch.point(Role::Start, ends[0]).label("start");
         sketch.point(Role::Goal, ends[1]).label("goal");

@@ -22,10 +22,8 @@ impl Floor<'_> {
         let radius = inset.radius();
         sketch.region(Role::Wrong, rings).plain().key(format!("nearer to a border than the radius, {radius}"));
         own.corridor(&mut sketch, route);
-        sketch
-            .path(Role::Main, route.points.iter().copied())
-            .arrow()
-            .key(format!("the path, {}", length(route.length)));
+        let key = format!("the path, {}", length(route.length));
+        sketch.path(Role::Main, route.points.iter().copied()).arrow().key(key);
         if let [start, .., goal] = route.points.as_slice() {
             sketch.circle(Role::Start, *start, radius).key("the agent at the start");
             sketch.circle(Role::Goal, *goal, radius).key("the agent at the goal");

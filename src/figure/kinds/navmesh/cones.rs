@@ -1,7 +1,7 @@
 //! What the exact search looked at: its cones.
 
-use crate::figure::kinds::navmesh::Floor;
 use crate::figure::kinds::navmesh::route::length;
+use crate::figure::kinds::navmesh::{Floor, Panel};
 use crate::figure::sketch::{Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::navmesh::{Cone, Route};
@@ -21,11 +21,8 @@ impl Floor<'_> {
         let drawn = &cones[..cones.len().min(CONES)];
         let key = format!("what is seen from the root of a cone; {} of {} cones", drawn.len(), cones.len());
         for cone in drawn {
-            let ring = [cone.root, cone.right, cone.left];
-            sketch
-                .region(Role::Event, [ring])
-                .key(&key)
-                .title(format!("through the portal of {} to {}", cone.from, cone.to));
+            let title = format!("through the portal of {} to {}", cone.from, cone.to);
+            sketch.region(Role::Event, [[cone.root, cone.right, cone.left]]).key(&key).title(title);
         }
         // The start has its own mark; every other root is drawn once.
         let start = route.points.first().copied();
@@ -41,13 +38,7 @@ impl Floor<'_> {
     }
 
     /// The panel of the cone with number `i`, after those before it.
-    pub(in crate::figure) fn cone_panel(
-        &self,
-        cones: &[Cone],
-        i: usize,
-        route: &Route,
-        number: &str,
-    ) -> (String, String, Sketch) {
+    pub(in crate::figure) fn cone_panel(&self, cones: &[Cone], i: usize, route: &Route, number: &str) -> Panel {
         let mut sketch = Sketch::new();
         for cone in &cones[i.saturating_sub(CONES)..i] {
             sketch.region(Role::Dimmed, [[cone.root, cone.right, cone.left]]).key("cone that was met before");
@@ -57,17 +48,13 @@ impl Floor<'_> {
         sketch.portal(Role::Secondary, cone.left, cone.right).key("the part of the portal that is seen");
         sketch.point(Role::Event, cone.root).key("the root of the cone");
         self.marks(&mut sketch, route);
-        let text = format!(
-            "from {} through a portal into {}; {} from the start to its root",
-            cone.from,
-            cone.to,
-            length(cone.length)
-        );
+        let far = length(cone.length);
+        let text = format!("from {} through a portal into {}; {far} from the start to its root", cone.from, cone.to);
         (format!("Cone {number}"), text, sketch)
     }
 
     /// The panel of the path that was found.
-    pub(in crate::figure) fn path_panel(&self, cones: usize, route: &Route) -> (String, String, Sketch) {
+    pub(in crate::figure) fn path_panel(&self, cones: usize, route: &Route) -> Panel {
         let mut sketch = Sketch::new();
         sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest path");
         self.marks(&mut sketch, route);

@@ -1,6 +1,6 @@
 //! The funnel, portal by portal: how the path through a corridor is pulled straight.
 
-use crate::figure::kinds::navmesh::Floor;
+use crate::figure::kinds::navmesh::{Floor, Panel};
 use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::navmesh::{FunnelStep, Portal, Route};
@@ -27,20 +27,14 @@ impl Floor<'_> {
     }
 
     /// The heading, the text and the sketch of each panel.
-    pub(in crate::figure) fn funnel_panels(&self, route: &Route) -> Vec<(String, String, Sketch)> {
+    pub(in crate::figure) fn funnel_panels(&self, route: &Route) -> Vec<Panel> {
         let steps = route.funnel_steps(self.mesh);
         let portals: Vec<_> = route.portal_ends(self.mesh).collect();
         let panel = |(i, step)| self.funnel_panel(route, step, i, portals.get(i));
         steps.iter().enumerate().map(panel).collect()
     }
 
-    fn funnel_panel(
-        &self,
-        route: &Route,
-        step: &FunnelStep,
-        i: usize,
-        portal: Option<&Portal>,
-    ) -> (String, String, Sketch) {
+    fn funnel_panel(&self, route: &Route, step: &FunnelStep, i: usize, portal: Option<&Portal>) -> Panel {
         let mut sketch = Sketch::new();
         self.corridor(&mut sketch, route);
         if let [.., apex] = step.way.as_slice() {

@@ -45,11 +45,8 @@ impl Floor<'_> {
         for f in walkable() {
             if let Some(portal) = self.mesh.portal(f) {
                 let way = [self.middle(f), self.middle(portal)];
-                sketch
-                    .path(Role::Event, way)
-                    .arrow()
-                    .key("the way out of a dead end")
-                    .title(format!("{f} to {portal}"));
+                let arrow = sketch.path(Role::Event, way).arrow().key("the way out of a dead end");
+                arrow.title(format!("{f} to {portal}"));
             }
         }
         self.over(sketch, options)

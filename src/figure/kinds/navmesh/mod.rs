@@ -65,6 +65,9 @@ pub struct Floor<'a> {
     mesh: &'a NavMesh,
 }
 
+/// The heading of a panel, the words below it, and what it shows.
+type Panel = (String, String, Sketch);
+
 impl<'a> Floor<'a> {
     /// The mesh must be one of the map.
     #[must_use]

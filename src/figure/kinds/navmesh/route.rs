@@ -18,10 +18,8 @@ impl Floor<'_> {
             let key = "portal: its left endpoint a square, its right endpoint a ring";
             sketch.portal(Role::Secondary, left, right).key(key).title(format!("{} to {}", portal.from, portal.to));
         }
-        sketch
-            .path(Role::Main, route.points.iter().copied())
-            .arrow()
-            .key(format!("the path, {}", length(route.length)));
+        let key = format!("the path, {}", length(route.length));
+        sketch.path(Role::Main, route.points.iter().copied()).arrow().key(key);
         for &corner in &route.corners {
             sketch.point(Role::Event, self.mesh.point(corner)).key("a corner of the path").title(corner.to_string());
         }

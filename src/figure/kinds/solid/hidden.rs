@@ -57,13 +57,11 @@ impl<'a> Look<'a> {
             shapes[f] = (Outline::new(corners), Bounds { near, ..bounds });
         }
         let mut look = Self { solid, picture, front, shapes, planes, outline: Vec::new() };
-        look.outline = solid
-            .edges()
-            .filter(|&e| {
-                let [a, b] = look.sides(e);
-                look.front[a] != look.front[b] || solid.is_boundary_face(a) || solid.is_boundary_face(b)
-            })
-            .collect();
+        let is_outline = |e: &EdgeId| {
+            let [a, b] = look.sides(*e);
+            look.front[a] != look.front[b] || solid.is_boundary_face(a) || solid.is_boundary_face(b)
+        };
+        look.outline = solid.edges().filter(is_outline).collect();
         look
     }
 
