@@ -287,8 +287,6 @@ fn torus(on: &mut impl Primitives, n: usize, m: usize) -> Result<Placed, GrowErr
             placed.points.set(v, [radius * cos, radius * sin, TUBE * height], [0.0; 3]);
         }
     }
-    for face in on.dcel().faces() {
-        placed.parts.add(face, part::SIDE);
-    }
+    on.dcel().faces().for_each(|face| placed.parts.add(face, part::SIDE));
     Ok(placed)
 }

@@ -137,14 +137,12 @@ impl Cells {
     /// The planes over all halves of cells; none if the hull with these sides, counter-clockwise seen from outside, is
     /// flat or does not hold the middle.
     fn planes(&self, sides: &[[[f64; 3]; 3]]) -> Option<Vec<[f64; 3]>> {
-        let normals: Vec<([f64; 3], f64)> = sides
-            .iter()
-            .map(|side| {
-                let [a, b, c] = side.map(|p| self.seen(p));
-                let normal = cross(minus(b, a), minus(c, a));
-                (normal, dot(normal, a))
-            })
-            .collect();
+        let normal = |side: &[[f64; 3]; 3]| {
+            let [a, b, c] = side.map(|p| self.seen(p));
+            let normal = cross(minus(b, a), minus(c, a));
+            (normal, dot(normal, a))
+        };
+        let normals: Vec<([f64; 3], f64)> = sides.iter().map(normal).collect();
         // Exact; all numbers here are below 100, so that doubles decide what is not near.
         let is_inside = |p: [f64; 3]| {
             let seen = self.seen(p);

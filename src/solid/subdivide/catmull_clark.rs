@@ -8,7 +8,7 @@
 //! ```
 
 use super::refine::{Coarse, PIECE, Pointers, Scheme, Sizes};
-use super::sharp::{Point, add, held, weighted};
+use super::sharp::{Point, add, move_vertices, weighted};
 use super::{SubdivideError, SubdivideEvent, Subdivided};
 use crate::geometry::threads::{both, pieces};
 use crate::ids::{EdgeId, HalfEdgeId, VertexId};
@@ -106,23 +106,15 @@ fn points(coarse: &Coarse<'_>, middle_of: &[u32], vertices: usize) -> Vec<Point>
                 if coarse.is_sharp(a) { ends } else { weighted([(0.5, ends), (0.25, middle(a)), (0.25, middle(b))]) };
         }
     });
-    pieces(of_vertices, PIECE, |first, piece| {
-        for (v, point) in (first as u32..).map(VertexId::new).zip(piece) {
-            let here = solid.point(v);
-            *point = match d.outgoing(v) {
-                None => here,
-                Some(_) => held(coarse, v).unwrap_or_else(|| {
-                    let (mut ends, mut faces, mut n) = ([0.0; 3], [0.0; 3], 0.0);
-                    for h in d.outgoing_half_edges(v) {
-                        add(&mut ends, solid.point(d.destination(h)));
-                        add(&mut faces, middle(h));
-                        n += 1.0;
-                    }
-                    // 2R = v + the mean of the other ends.
-                    weighted([((n - 2.0) / n, here), (1.0 / (n * n), ends), (1.0 / (n * n), faces)])
-                }),
-            };
+    move_vertices(coarse, of_vertices, |v, here| {
+        let (mut ends, mut faces, mut n) = ([0.0; 3], [0.0; 3], 0.0);
+        for h in d.outgoing_half_edges(v) {
+            add(&mut ends, solid.point(d.destination(h)));
+            add(&mut faces, middle(h));
+            n += 1.0;
         }
+        // 2R = v + the mean of the other ends.
+        weighted([((n - 2.0) / n, here), (1.0 / (n * n), ends), (1.0 / (n * n), faces)])
     });
     points
 }

@@ -7,10 +7,10 @@
 //! ```
 
 use super::refine::{Coarse, PIECE, Pointers, Scheme, Sizes};
-use super::sharp::{Point, add, held, weighted};
+use super::sharp::{Point, add, move_vertices, weighted};
 use super::{SubdivideError, Subdivided};
 use crate::geometry::threads::{both, pieces};
-use crate::ids::{EdgeId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, HalfEdgeId};
 use crate::solid::{Polyhedron, Selection};
 use std::f64::consts::TAU;
 
@@ -73,22 +73,14 @@ fn points(coarse: &Coarse<'_>) -> Vec<Point> {
     let shares: [f64; 32] = std::array::from_fn(|n| share(n.max(1)));
     let mut points = vec![[0.0; 3]; d.vertex_bound() + d.edge_bound()];
     let (of_vertices, of_edges) = points.split_at_mut(d.vertex_bound());
-    pieces(of_vertices, PIECE, |first, piece| {
-        for (v, point) in (first as u32..).map(VertexId::new).zip(piece) {
-            let here = solid.point(v);
-            *point = match d.outgoing(v) {
-                None => here,
-                Some(_) => held(coarse, v).unwrap_or_else(|| {
-                    let (mut ends, mut n) = ([0.0; 3], 0);
-                    for w in d.adjacent_vertices(v) {
-                        add(&mut ends, solid.point(w));
-                        n += 1;
-                    }
-                    let share = shares.get(n).copied().unwrap_or_else(|| share(n));
-                    weighted([(1.0 - share, here), (share / n as f64, ends)])
-                }),
-            };
+    move_vertices(coarse, of_vertices, |v, here| {
+        let (mut ends, mut n) = ([0.0; 3], 0);
+        for w in d.adjacent_vertices(v) {
+            add(&mut ends, solid.point(w));
+            n += 1;
         }
+        let share = shares.get(n).copied().unwrap_or_else(|| share(n));
+        weighted([(1.0 - share, here), (share / n as f64, ends)])
     });
     pieces(of_edges, PIECE, |first, piece| {
         for (e, point) in (first as u32..).map(EdgeId::new).zip(piece) {

@@ -7,7 +7,8 @@
 //!   three and more       nowhere
 //! ```
 
-use super::refine::Coarse;
+use super::refine::{Coarse, PIECE};
+use crate::geometry::threads::pieces;
 use crate::ids::VertexId;
 
 pub(super) type Point = [f64; 3];
@@ -25,9 +26,27 @@ pub(super) fn weighted<const N: usize>(parts: [(f64, Point); N]) -> Point {
     std::array::from_fn(|i| parts.iter().map(|(weight, p)| weight * p[i]).sum())
 }
 
+/// Where the old vertices go: by the rule of `smooth` for a vertex and its place, but for those that are held, and those
+/// without edges, which stay.
+pub(super) fn move_vertices(
+    coarse: &Coarse<'_>,
+    places: &mut [Point],
+    smooth: impl Fn(VertexId, Point) -> Point + Sync,
+) {
+    pieces(places, PIECE, |first, piece| {
+        for (v, place) in (first as u32..).map(VertexId::new).zip(piece) {
+            let here = coarse.solid.point(v);
+            *place = match coarse.dcel().outgoing(v) {
+                None => here,
+                Some(_) => held(coarse, v).unwrap_or_else(|| smooth(v, here)),
+            };
+        }
+    });
+}
+
 /// Where a vertex with two and more sharp edges goes; `None` if the smooth rule holds.
 #[inline]
-pub(super) fn held(coarse: &Coarse<'_>, v: VertexId) -> Option<Point> {
+fn held(coarse: &Coarse<'_>, v: VertexId) -> Option<Point> {
     let (d, here) = (coarse.dcel(), coarse.solid.point(v));
     let (mut ends, mut sharp, mut on_border) = ([0.0; 3], 0, false);
     for h in d.outgoing_half_edges(v).filter(|&h| coarse.is_sharp(h)) {
