@@ -32,13 +32,11 @@ fn svg(figure: &Figure) -> String {
 /// A frame, so that the style and the script of the page stay in it.
 fn framed(page: &str) -> String {
     let page = escaped(page);
-    content(
-        "text/html",
-        &format!(
-            "<iframe title=\"a structure to walk in\" srcdoc=\"{page}\" style=\"width:100%;height:{PAGE}px;border:0\">\
-             </iframe>"
-        ),
-    )
+    let frame = format!(
+        "<iframe title=\"a structure to walk in\" srcdoc=\"{page}\" style=\"width:100%;height:{PAGE}px;border:0\">\
+         </iframe>"
+    );
+    content("text/html", &frame)
 }
 
 /// The picture, or the reason why there is none.

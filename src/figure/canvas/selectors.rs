@@ -243,15 +243,8 @@ pub(super) fn steps(selector: &str) -> Option<Vec<Step<'_>>> {
 }
 
 /// `a>b` as `a`, `>`, `b`.
-fn with_child_marks(part: &str) -> Vec<&str> {
-    let mut out = Vec::new();
-    for (i, piece) in parts(part, '>').enumerate() {
-        if i > 0 {
-            out.push(">");
-        }
-        out.push(piece.trim());
-    }
-    out
+fn with_child_marks(part: &str) -> impl Iterator<Item = &str> {
+    parts(part, '>').flat_map(|piece| [">", piece.trim()]).skip(1)
 }
 
 /// The rules outside of `@media`, the weakest first.

@@ -52,6 +52,11 @@ fn advance(c: char, bold: bool) -> u32 {
     }
 }
 
+/// `1 face`, `2 faces`
+pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
 /// The first characters of a text, `longest` in all with the ellipsis that says that some are missing; the
 /// text itself if it is not longer.
 pub(crate) fn shortened(text: &str, longest: usize) -> String {

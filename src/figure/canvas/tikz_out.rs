@@ -190,19 +190,13 @@ impl<'a> Writer<'a> {
             self.path.pop();
             return;
         }
-        let mut options = Vec::new();
-        if let Some(by) = group.shift {
-            options.push(format!("shift={{{}}}", point(by)));
-        }
-        if let Some(opacity) = looks.number("opacity") {
-            options.push(format!("opacity={}", drawn(opacity)));
-        }
-        if let Some(id) = group.id.as_ref().filter(|_| self.names) {
-            options.push(format!("local bounding box={id}"));
-        }
+        let mut options = String::new();
+        option(&mut options, "shift", group.shift.map(|by| format!("{{{}}}", point(by))));
+        option(&mut options, "opacity", looks.number("opacity").map(drawn));
+        option(&mut options, "local bounding box", group.id.as_ref().filter(|_| self.names));
         let is_scope = !options.is_empty() || group.window.is_some();
         if is_scope {
-            let _ = writeln!(self.out, "\\begin{{scope}}[{}]", options.join(","));
+            let _ = writeln!(self.out, "\\begin{{scope}}[{}]", tidy(&options));
         }
         if let Some(size) = group.window {
             let _ = writeln!(self.out, "\\clip (0,0) rectangle {};", point(size));

@@ -22,7 +22,7 @@ use crate::figure::structure::arrows::Arrow;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::picture::Picture;
-use crate::figure::structure::plate::{OfState, Plate};
+use crate::figure::structure::plate::{DynPlate, Plate};
 use crate::figure::structure::pointer::Pointer;
 use crate::figure::structure::skeleton::{destination, faces, half_edges, vertices};
 use crate::figure::{Detail, FigureError, FigureOptions};
@@ -43,7 +43,7 @@ const MOST: usize = 12;
 
 /// All states of a film, placed on one canvas.
 pub(super) struct Stage<'a> {
-    pub(super) plates: Vec<OfState<'a>>,
+    pub(super) plates: Vec<DynPlate<'a>>,
     states: &'a [Table],
     /// The states as they are drawn.
     placed: &'a [Placed],
@@ -323,7 +323,7 @@ fn with_removed(frame: &Frame) -> Table {
 }
 
 /// The next pointers that stay, then those that have gone, then the new ones.
-fn arrows(plate: &OfState<'_>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
+fn arrows(plate: &DynPlate<'_>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
     let is_new = |slot: Slot| frame.written.iter().any(|w| w.fate == Fate::New && w.slot == slot);
     let visible = |h: HalfEdgeId| look.half_edge(h) != Mark::Hidden;
     let stays = |h: &HalfEdgeId| {
@@ -364,7 +364,7 @@ fn arrows(plate: &OfState<'_>, frame: &Frame, look: &Look, placed: &Placed) -> V
 }
 
 /// The next pointer of a bent half-edge, or to one: beside the pieces between the two.
-fn bent_next(plate: &OfState<'_>, view: &Table, pointer: Pointer, placed: &Placed, look: &Look) -> Option<Node> {
+fn bent_next(plate: &DynPlate<'_>, view: &Table, pointer: Pointer, placed: &Placed, look: &Look) -> Option<Node> {
     let Pointer::Next(h) = pointer else { return None };
     if placed.pieces.is_empty() {
         return None;

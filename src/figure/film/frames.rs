@@ -453,13 +453,8 @@ fn written(changes: &[Change], before: &Table) -> Vec<Written> {
         net[at].2 = new;
     }
     let changed = net.into_iter().filter(|(_, old, new)| old != new);
-    changed
-        .flat_map(|(slot, old, new)| {
-            let gone = old.map(|target| Written { slot, target, fate: Fate::Gone });
-            let new = new.map(|target| Written { slot, target, fate: Fate::New });
-            gone.into_iter().chain(new)
-        })
-        .collect()
+    let both = changed.flat_map(|(slot, old, new)| [(slot, old, Fate::Gone), (slot, new, Fate::New)]);
+    both.filter_map(|(slot, target, fate)| Some(Written { slot, target: target?, fate })).collect()
 }
 
 fn elements(changes: &[Change], come: bool) -> Vec<Element> {

@@ -16,7 +16,7 @@ use crate::figure::canvas::vector::xy;
 use crate::figure::flatten::{Names, Placed};
 use crate::figure::structure::arrows::head;
 use crate::figure::structure::look::{Look, Mark};
-use crate::figure::structure::plate::OfState;
+use crate::figure::structure::plate::DynPlate;
 use std::fmt::Write;
 
 /// The classes of the colours, one after the other.
@@ -33,7 +33,7 @@ fn letter(number: usize) -> String {
 }
 
 /// The sides that are shown.
-pub(super) fn nodes(plate: &OfState<'_>, placed: &Placed, look: &Look) -> Vec<Node> {
+pub(super) fn nodes(plate: &DynPlate<'_>, placed: &Placed, look: &Look) -> Vec<Node> {
     let shown = placed.sides.iter().filter(|(h, _)| look.half_edge(*h) != Mark::Hidden);
     let side = |&(h, number): &(_, usize)| {
         let (from, to) = plate.skeleton().segment(h)?;

@@ -19,7 +19,7 @@ use crate::figure::structure::captions::Label;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
-use crate::figure::structure::plate::Plate;
+use crate::figure::structure::plate::{DynPlate, Plate};
 use crate::figure::structure::pointer::Pointer;
 use crate::figure::structure::pointer_style;
 use crate::figure::structure::skeleton::destination;
@@ -117,7 +117,7 @@ pub fn focus(view: &dyn PlanarView, h: HalfEdgeId, options: &FigureOptions) -> R
 }
 
 /// `h`, `h.prev`, `h.next`, `h.twin` beside their shafts, each where it covers nothing.
-fn names<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, view: &V, h: HalfEdgeId) -> Vec<Node> {
+fn names(plate: &DynPlate<'_>, view: &dyn PlanarView, h: HalfEdgeId) -> Vec<Node> {
     let mut crowd = plate.crowd.clone();
     let mut own = vec![Pointer::Next(h), Pointer::Twin(h), Pointer::Origin(h), Pointer::Face(h)];
     own.extend(view.prev(h).map(Pointer::Next));
@@ -149,7 +149,7 @@ fn names<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, view: &V, h: HalfEdgeId) 
 }
 
 /// The nearest free place round a point.
-fn name_near<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, p: Xy, name: &str, crowd: &Crowd) -> Option<Label> {
+fn name_near(plate: &DynPlate<'_>, p: Xy, name: &str, crowd: &Crowd) -> Option<Label> {
     let half = xy(0.5 * text::width(name, NAME, true), text::half_height(NAME));
     let inside = crop::window(plate.picture.fit.size).grown(-4.0);
     let steps = |to: i32, step: f64| (-to..=to).map(move |i| step * f64::from(i));
@@ -159,12 +159,7 @@ fn name_near<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, p: Xy, name: &str, cr
     place.map(|at| Label { at, size: NAME, lines: vec![name.to_owned()] })
 }
 
-fn name_beside<V: PlanarView + ?Sized>(
-    plate: &Plate<'_, V>,
-    h: HalfEdgeId,
-    name: String,
-    crowd: &Crowd,
-) -> Option<Label> {
+fn name_beside(plate: &DynPlate<'_>, h: HalfEdgeId, name: String, crowd: &Crowd) -> Option<Label> {
     let shaft = plate.shafts.get(h)?.as_ref()?;
     let half = xy(0.5 * text::width(&name, NAME, true), text::half_height(NAME));
     let aside = shaft.along.left();

@@ -97,7 +97,7 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
             let arrows = pointers.iter().filter_map(|&pointer| self.arrow(view, pointer, TWIN_AT, crowd));
             let (mut nodes, mut heads) = (Vec::new(), Vec::new());
             for Tagged { arrow, tag } in arrows.collect::<Vec<_>>() {
-                arrow.shapes().into_iter().for_each(|shape| crowd.add(shape, u32::MAX));
+                crowd.add_all(arrow.shapes(), u32::MAX);
                 heads.extend(arrow.heads.iter().map(|head| head.to_vec()));
                 nodes.push(Node::Curve { class: "pl", start: arrow.start, steps: arrow.steps });
                 nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));

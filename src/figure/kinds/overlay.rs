@@ -8,6 +8,7 @@
 //!                                     └─────┘          └─────┘
 //! ```
 
+use crate::figure::canvas::text::counted;
 use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::ids::FaceId;
@@ -85,11 +86,6 @@ pub fn region(
     outlines(&mut sketch, Role::Secondary, a, "edges of a");
     outlines(&mut sketch, Role::Goal, b, "edges of b");
     sketch.figure(&roomy(options, [a, b, made]))
-}
-
-/// `1 face`, `2 faces`
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// Half-edges only if there is room for those of all.

@@ -60,11 +60,7 @@ pub fn tables(
     options.usual_width = 520.0;
     options.style.face_text = options.style.face_text.min(14.0);
     let names = Names::of(view, &options);
-    for f in faces(view) {
-        if let Some(name) = names.face(f) {
-            options.names.insert(f, format!("{f} {name}"));
-        }
-    }
+    options.names.extend(faces(view).filter_map(|f| Some((f, format!("{f} {}", names.face(f)?)))));
     let options = &options;
     let plate = Plate::new(view, options, false)?;
     let mut notes = Notes(plate.notes.0.clone());

@@ -89,6 +89,11 @@ impl Crowd {
         self.each_bucket(shape, |bucket| bucket.push(number));
     }
 
+    /// Adds shapes with one tag.
+    pub(crate) fn add_all(&mut self, shapes: impl IntoIterator<Item = Shape>, tag: u32) {
+        shapes.into_iter().for_each(|shape| self.add(shape, tag));
+    }
+
     /// The number of shapes.
     pub(crate) fn len(&self) -> usize {
         self.shapes.len()

@@ -232,9 +232,7 @@ impl FigureOptions {
 
     /// Colours and labels of single elements. Labels of faces are names, see [`face_name`](Self::face_name).
     pub fn overrides(mut self, overrides: Overrides) -> Self {
-        for (face, name) in overrides.face_labels() {
-            self.names.insert(face, name.to_owned());
-        }
+        self.names.extend(overrides.face_labels().map(|(face, name)| (face, name.to_owned())));
         self.overrides = overrides;
         self
     }

@@ -53,10 +53,13 @@ pub(in crate::figure) struct Drawn {
     pub(in crate::figure) notes: Vec<String>,
 }
 
+/// The structure of a panel, and how it lies under the sketch.
+type Under<'a> = Option<(&'a dyn PlanarView, Backdrop)>;
+
 struct Content<'a> {
     heading: String,
     text: String,
-    view: Option<(&'a dyn PlanarView, Backdrop)>,
+    view: Under<'a>,
     sketch: Sketch,
 }
 
@@ -67,13 +70,7 @@ impl<'a> Multiples<'a> {
         Self::default()
     }
 
-    fn add(
-        &mut self,
-        heading: &str,
-        text: &str,
-        view: Option<(&'a dyn PlanarView, Backdrop)>,
-        sketch: Sketch,
-    ) -> &mut Self {
+    fn add(&mut self, heading: &str, text: &str, view: Under<'a>, sketch: Sketch) -> &mut Self {
         let [heading, text] = [heading, text].map(crate::figure::canvas::text::clean);
         self.panels.push(Content { heading, text, view, sketch });
         self
@@ -154,7 +151,7 @@ impl<'a> Multiples<'a> {
                 backdrop.layers(below.nodes, words(&mut below.crowd, &mut drawing))
             } else {
                 let mut crowd = Crowd::new(fit.size);
-                ink.into_iter().for_each(|shape| crowd.add(shape, INK));
+                crowd.add_all(ink, INK);
                 words(&mut crowd, &mut drawing)
             };
             nodes.push(frame(fit.size));

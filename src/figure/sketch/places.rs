@@ -102,9 +102,7 @@ pub(super) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Cro
     };
     let place = centred.chain(around).find(is_free)?;
     crowd.add(Shape::Box(Bounds::around(place.at, half.x, half.y)), 0);
-    if let Some((from, to)) = place.tie {
-        crowd.add(Shape::Segment(from, to, 0.5), 0);
-    }
+    crowd.add_all(place.tie.map(|(from, to)| Shape::Segment(from, to, 0.5)), 0);
     Some(place)
 }
 

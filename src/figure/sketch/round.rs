@@ -63,9 +63,7 @@ impl Round {
             let along = (side - if x { self.centre.x } else { self.centre.y }) / self.radius;
             if along.abs() < 1.0 {
                 let across = (1.0 - along * along).sqrt();
-                for across in [across, -across] {
-                    cuts.push(if x { xy(along, across) } else { xy(across, along) });
-                }
+                cuts.extend([across, -across].map(|across| if x { xy(along, across) } else { xy(across, along) }));
             }
         }
         if piece == Piece::WHOLE
@@ -101,11 +99,8 @@ impl Round {
     pub(super) fn points(&self, piece: Piece) -> Vec<Xy> {
         let mut ways = vec![piece.from, middle(piece.from, piece.to), piece.to];
         for _ in 0..5 {
-            let mut finer = vec![ways[0]];
-            for w in ways.windows(2) {
-                finer.extend([middle(w[0], w[1]), w[1]]);
-            }
-            ways = finer;
+            let finer = ways.windows(2).flat_map(|w| [middle(w[0], w[1]), w[1]]);
+            ways = std::iter::once(piece.from).chain(finer).collect();
         }
         ways.into_iter().map(|way| self.at(way)).collect()
     }

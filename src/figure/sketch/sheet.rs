@@ -264,7 +264,7 @@ impl Sketch {
         let canvas = Canvas::new(fit, options);
         let mut drawing = Drawing::new(self, &canvas);
         let mut crowd = Crowd::new(fit.size);
-        drawing.ink().into_iter().for_each(|shape| crowd.add(shape, INK));
+        crowd.add_all(drawing.ink(), INK);
         let nodes = drawing.nodes(&mut crowd, options.style.map_text, 1, "");
         let scene = scene(options, "dcel-sketch", (fit.size, fit.scale), &roles([self]), nodes, &self.legend(1));
         Ok(Figure { scene, detail, notes: drawing.notes.0 })
@@ -347,7 +347,7 @@ impl Below {
         let seen = |nodes: Vec<Node>| crop::framed(nodes, size, options);
         if picture.detail < Detail::Edges {
             let mut crowd = Crowd::new(size);
-            ink.iter().for_each(|&shape| crowd.add(shape, INK));
+            crowd.add_all(ink.iter().copied(), INK);
             let nodes = seen(picture.by_tiles(&mut notes, look));
             return Self { nodes, crowd, notes };
         }

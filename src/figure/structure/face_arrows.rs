@@ -159,9 +159,7 @@ fn way_length(way: &[Xy]) -> f64 {
 }
 
 fn add(crowd: &mut Crowd, way: &[Xy]) {
-    for step in way.windows(2) {
-        crowd.add(Shape::Segment(step[0], step[1], 1.0), u32::MAX);
-    }
+    crowd.add_all(way.windows(2).map(|step| Shape::Segment(step[0], step[1], 1.0)), u32::MAX);
 }
 
 /// Whether the way keeps clear of everything in this drawing.

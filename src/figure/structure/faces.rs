@@ -11,6 +11,7 @@
 use crate::figure::FigureOptions;
 use crate::figure::canvas::crop::cut;
 use crate::figure::canvas::scene::Attributes;
+use crate::figure::canvas::text::counted;
 use crate::figure::canvas::vector::{Bounds, Xy};
 use crate::figure::structure::skeleton::{Cycles, Skeleton};
 use crate::ids::{Element, FaceId, HalfEdgeId};
@@ -118,6 +119,5 @@ pub(crate) fn title<V: PlanarView + ?Sized>(
     } else {
         ""
     };
-    let plural = if half_edges == 1 { "" } else { "s" };
-    format!("{face}{name}: {kind}{half_edges} half-edge{plural}")
+    format!("{face}{name}: {kind}{}", counted(half_edges, "half-edge", "half-edges"))
 }

@@ -69,16 +69,16 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
     pub(crate) fn labels(&self) -> (Labels, Crowd) {
         let mut crowd = self.crowd();
         let outer = outer_label(self.view, self.options, self.size, self.detail);
-        if let Some(label) = &outer {
-            crowd.add(Shape::Box(label.bounds()), u32::MAX);
-        }
+        crowd.add_all(outer.iter().map(|label| Shape::Box(label.bounds())), u32::MAX);
         let vertices = self.vertex_names(&mut crowd);
         let captions = captions(self.regions, self.options);
         let mut faces = vec![None; captions.len()];
         self.face_labels(&captions, &mut faces, &mut crowd, true);
         let half_edges = self.half_edge_labels(&mut crowd);
         self.face_labels(&captions, &mut faces, &mut crowd, false);
-        let leaders = self.leaders(&captions, &faces, &mut crowd);
+        // The bounded faces that have none get theirs outside.
+        let size = (0.65 * self.options.style.face_text).max(LEGIBLE);
+        let leaders = lead_out(self.view, self.regions, &captions, &faces, size, self.size, &mut crowd);
         (Labels { vertices, half_edges, faces, leaders, outer }, crowd)
     }
 
@@ -92,18 +92,12 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             }
         }
         for (h, shaft) in self.shafts.iter() {
-            for shape in shaft.iter().flat_map(|shaft| shaft.shapes(style)) {
-                crowd.add(shape, h.number());
-            }
+            crowd.add_all(shaft.iter().flat_map(|shaft| shaft.shapes(style)), h.number());
         }
         for v in vertices(self.view) {
-            if let Some(disc) = self.disc(v) {
-                crowd.add(disc, v.number());
-            }
+            crowd.add_all(self.disc(v), v.number());
         }
-        for &shape in self.ink {
-            crowd.add(shape, INK);
-        }
+        crowd.add_all(self.ink.iter().copied(), INK);
         crowd
     }
 
@@ -198,17 +192,6 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
                 crowd.add(Shape::Box(label.bounds()), region.face.number());
             }
         }
-    }
-
-    /// Labels outside for the bounded faces that have none.
-    fn leaders(
-        &self,
-        captions: &[Option<Caption>],
-        labels: &[Option<Label>],
-        crowd: &mut Crowd,
-    ) -> Vec<(usize, Leader)> {
-        let size = (0.65 * self.options.style.face_text).max(LEGIBLE);
-        lead_out(self.view, self.regions, captions, labels, size, self.size, crowd)
     }
 
     /// Shafts, discs and further ink in a face: what can push its caption aside.

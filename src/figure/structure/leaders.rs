@@ -127,7 +127,7 @@ impl Search<'_> {
         }
         let placed = wanted.iter().zip(out).filter_map(|(&(i, ..), leader)| Some((i, leader?)));
         let placed: Vec<(usize, Leader)> = placed.collect();
-        placed.iter().for_each(|(_, leader)| crowd.add(Shape::Box(leader.label.bounds()), u32::MAX));
+        crowd.add_all(placed.iter().map(|(_, leader)| Shape::Box(leader.label.bounds())), u32::MAX);
         placed
     }
 

@@ -169,12 +169,9 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         };
         let labels: Vec<Option<Label>> = regions.iter().zip(&captions).map(label).collect();
         let mut crowd = Crowd::new(self.fit.size);
-        for (a, b) in self.skeleton.edges.iter().filter_map(|&h| self.skeleton.segment(h)) {
-            crowd.add(Shape::Segment(a, b, 0.5), 0);
-        }
-        for placed in labels.iter().flatten().chain(outer) {
-            crowd.add(Shape::Box(placed.bounds()), 0);
-        }
+        let segments = self.skeleton.edges.iter().filter_map(|&h| self.skeleton.segment(h));
+        crowd.add_all(segments.map(|(a, b)| Shape::Segment(a, b, 0.5)), 0);
+        crowd.add_all(labels.iter().flatten().chain(outer).map(|label| Shape::Box(label.bounds())), 0);
         let size = (0.8 * largest).max(sizes.smallest);
         let leaders = lead_out(self.view, regions, &captions, &labels, size, self.fit.size, &mut crowd);
         let name = |face: FaceId| look.name(&format!("{face}-label"));
@@ -308,8 +305,8 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     /// The document round the nodes.
     pub(crate) fn scene(&self, nodes: Vec<Node>) -> Scene {
         let options = self.options;
-        let (half_edges, faces) = (half_edges(self.view).count(), faces(self.view).count());
-        let vertices = vertices(self.view).count();
+        let [half_edges, faces] = [half_edges(self.view).count(), faces(self.view).count()];
+        let [vertices, edges] = [vertices(self.view).count(), self.skeleton.edges.len()];
         let detail = match self.detail {
             Detail::Full => "full",
             Detail::Arrows => "arrows",
@@ -321,10 +318,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         } else {
             "The edges are drawn without their half-edges."
         };
-        let counts = format!(
-            "{vertices} vertices, {} edges, {half_edges} half-edges, {faces} faces. {reading}",
-            self.skeleton.edges.len()
-        );
+        let counts = format!("{vertices} vertices, {edges} edges, {half_edges} half-edges, {faces} faces. {reading}");
         let mut scene = options.scene("dcel", self.fit.size, counts);
         scene.attributes.extend([
             ("data-y", "up".to_owned()),

@@ -43,8 +43,8 @@ pub(crate) struct Plate<'a, V: ?Sized> {
     open: Vec<FaceId>,
 }
 
-/// The plate of one state of a film.
-pub(crate) type OfState<'a> = Plate<'a, dyn PlanarView + 'a>;
+/// The plate of any planar view.
+pub(crate) type DynPlate<'a> = Plate<'a, dyn PlanarView + 'a>;
 
 impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
     /// Places a view. `options` are checked ones; their detail should be `Edges` at least. With `arrows`,

@@ -166,7 +166,7 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
     pub(crate) fn block<W: PlanarView + ?Sized>(&self, view: &W, pointers: &[Pointer], t: f64, crowd: &mut Crowd) {
         for &pointer in pointers {
             let shapes = self.arrow(view, pointer, t, crowd).map(|tagged| tagged.arrow.shapes());
-            shapes.into_iter().flatten().for_each(|shape| crowd.add(shape, u32::MAX));
+            crowd.add_all(shapes.into_iter().flatten(), u32::MAX);
         }
     }
 

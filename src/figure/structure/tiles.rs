@@ -63,18 +63,23 @@ pub(crate) fn edges<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, size:
             ink += (b - a).length();
         }
     }
+    // The edge of `h` in the direction of `h`, if it has not been drawn; then it has.
+    let take = |open: &mut HalfEdgeMap<bool>, h: HalfEdgeId| {
+        let segment = skeleton.segment(h)?;
+        let owner = owner(view, open, h)?;
+        open[owner] = false;
+        Some(segment)
+    };
     for &start in &skeleton.edges {
         let mut at = start;
         let mut path: Option<usize> = None;
-        while let Some((a, b)) = take(view, skeleton, &mut open, at) {
+        while let Some((a, b)) = take(&mut open, at) {
             let home = tiling.tile(a);
             let (from, to) = (tenths(a), tenths(b));
             if path != Some(home) {
-                if from != to {
+                path = (from != to).then_some(home);
+                if path.is_some() {
                     tiles[home].start(from);
-                    path = Some(home);
-                } else {
-                    path = None;
                 }
             }
             if path.is_some() {
@@ -94,19 +99,6 @@ pub(crate) fn edges<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, size:
         nodes: paths.map(|lines| Node::Fine { class: "mesh", hatch: None, lines }).collect(),
         ..Group::default()
     }
-}
-
-/// The edge of `h` in the direction of `h`, if it has not been drawn; then it has.
-fn take<V: PlanarView + ?Sized>(
-    view: &V,
-    skeleton: &Skeleton,
-    open: &mut HalfEdgeMap<bool>,
-    h: HalfEdgeId,
-) -> Option<(Xy, Xy)> {
-    let segment = skeleton.segment(h)?;
-    let owner = owner(view, open, h)?;
-    open[owner] = false;
-    Some(segment)
 }
 
 /// The half-edge under which the edge of `h` is listed, if it is still to be drawn.

@@ -81,9 +81,8 @@ fn between(moments: &mut Vec<Moment>, step: usize, fine: &Polyhedron, coarse: &P
     let mut last = moment(what, "by the means of the faces and edges round them", points);
     // Numbers stay only in a surface without gaps.
     if coarse.vertex_bound() == coarse.vertex_count() {
-        for &v in &moved {
-            last.lines.push((Role::Event, vec![coarse.point(v), fine.point(v)], "how a vertex moves"));
-        }
+        let way = |&v| (Role::Event, vec![coarse.point(v), fine.point(v)], "how a vertex moves");
+        last.lines.extend(moved.iter().map(way));
     }
     moments.push(last);
 }

@@ -2,6 +2,7 @@
 
 use super::{named, numbered, opened};
 use crate::figure::SketchFilm;
+use crate::figure::canvas::text::counted;
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::ids::{EdgeId, VertexId};
 use crate::plane::{FlipEvent, Point, Subdivision};
@@ -83,10 +84,7 @@ pub fn lawson_flips(given: &Subdivision, is_fixed: impl Fn(EdgeId) -> bool, most
         }
     }
     named(&mut end, &now, &[]);
-    let flips = match flips.len() {
-        1 => "1 flip".to_owned(),
-        count => format!("{count} flips"),
-    };
+    let flips = counted(flips.len(), "flip", "flips");
     let text =
         format!("{flips}; each edge that may be flipped is locally Delaunay, so no vertex lies inside of a circle");
     film.over("The Delaunay triangulation", &text, &now, Backdrop::Dimmed, end);

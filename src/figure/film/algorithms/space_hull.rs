@@ -67,19 +67,14 @@ pub fn convex_hull_in_space(points: &[[f64; 3]], most: usize) -> Result<SketchFi
                     let text = format!("it sees {} of {} triangles: they go", seen.len(), now.len());
                     let mut moment = Moment::new(format!("Point {number}: {point}"), text, solids.len() - 1);
                     outside(&mut moment, &done);
-                    for triangle in seen {
-                        let corners = triangle.map(place).to_vec();
-                        moment.faces.push((Role::Wrong, corners, "triangle that the point sees"));
-                    }
-                    for edge in horizon {
-                        moment.lines.push((Role::Event, edge.map(place).to_vec(), "the horizon"));
-                    }
+                    let sees = |t: &[u32; 3]| (Role::Wrong, t.map(place).to_vec(), "triangle that the point sees");
+                    moment.faces.extend(seen.iter().map(sees));
+                    let edge = |edge: &[u32; 2]| (Role::Event, edge.map(place).to_vec(), "the horizon");
+                    moment.lines.extend(horizon.iter().map(edge));
                     moment.points.push((Role::Main, place(*point), "new point", Some(point.to_string())));
                     moments.push(moment);
                 }
-                for gone in seen {
-                    remove(&mut now, *gone);
-                }
+                seen.iter().for_each(|gone| remove(&mut now, *gone));
                 now.extend(horizon.iter().map(|&[from, to]| [from, to, *point]));
                 if is_kept {
                     before = Some(step);
@@ -87,10 +82,8 @@ pub fn convex_hull_in_space(points: &[[f64; 3]], most: usize) -> Result<SketchFi
                     let text = format!("{} new triangles, one from each edge of the horizon", horizon.len());
                     let mut moment = Moment::new(format!("Point {point} is a corner"), text, solids.len() - 1);
                     outside(&mut moment, &done);
-                    for &[from, to] in horizon {
-                        let corners = [from, to, *point].map(place).to_vec();
-                        moment.faces.push((Role::Right, corners, "new triangle"));
-                    }
+                    let corners = |&[from, to]: &[u32; 2]| [from, to, *point].map(place).to_vec();
+                    moment.faces.extend(horizon.iter().map(|edge| (Role::Right, corners(edge), "new triangle")));
                     moment.points.push((Role::Main, place(*point), "new point", Some(point.to_string())));
                     moments.push(moment);
                 }

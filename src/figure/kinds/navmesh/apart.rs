@@ -1,5 +1,6 @@
 //! Why there is no path: the two components, and what keeps them apart.
 
+use crate::figure::canvas::text::counted;
 use crate::figure::kinds::navmesh::Floor;
 use crate::figure::sketch::{Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
@@ -23,7 +24,7 @@ impl Floor<'_> {
         for ((role, component), name) in [Role::Start, Role::Goal].into_iter().zip(components).zip(names) {
             let faces = self.mesh.component_faces(component);
             let count = self.mesh.component_faces(component).count();
-            let key = format!("{component}, {count} {}: {name}", if count == 1 { "face" } else { "faces" });
+            let key = format!("{component}, {}: {name}", counted(count, "face", "faces"));
             self.paint(&mut sketch, role, faces, &key);
         }
         sketch.point(Role::Start, ends[0]).label("start");
