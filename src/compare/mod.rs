@@ -384,9 +384,8 @@ impl File {
         let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
         let Some([mine, theirs]) = &placed else {
             let mut differences = seen.differences;
-            if let Some(table) = &found.table {
-                differences.extend(contradiction(table, &found.drawing, options));
-            }
+            let table = found.table.as_ref();
+            differences.extend(table.and_then(|table| contradiction(table, &found.drawing, options)));
             let layer = layer(&differences, Layer::Drawn);
             let agreed = agreed(seen.agreed, "edges");
             return Ok(self.answer(layer, target, differences, notes, agreed, student));

@@ -129,10 +129,8 @@ fn listed(all: impl ExactSizeIterator<Item = String>) -> String {
 fn note_splits(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
     let s = &mended.subdivision;
     let around = |v: VertexId| {
-        let mut all = BTreeSet::new();
-        for h in s.outgoing_half_edges(v) {
-            all.extend(mended.outlines(h.edge()).iter().copied());
-        }
+        let outlines = s.outgoing_half_edges(v).flat_map(|h| mended.outlines(h.edge()));
+        let all: BTreeSet<_> = outlines.copied().collect();
         all.into_iter().map(|i| told.polygon(i)).collect::<Vec<_>>()
     };
     let place = |&v: &VertexId| {

@@ -33,11 +33,8 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Ok(Some(known));
         }
         if target.attribute("clipPathUnits") == Some("objectBoundingBox") {
-            return Err(word(
-                node.range().start,
-                "objectBoundingBox",
-                "unit of a clip path here: write userSpaceOnUse",
-            ));
+            let wanted = "unit of a clip path here: write userSpaceOnUse";
+            return Err(word(node.range().start, "objectBoundingBox", wanted));
         }
         let transform = moved(&around.transform, target, target.attribute("transform"))?;
         let mut areas = Vec::new();

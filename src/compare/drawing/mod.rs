@@ -209,9 +209,7 @@ impl Drawing {
             }
             reader.ignored.retain(|_, count| *count > 0);
         }
-        for (name, count) in animations.notes {
-            reader.ignored.insert(format!("<{name}>"), count);
-        }
+        reader.ignored.extend(animations.notes.into_iter().map(|(name, count)| (format!("<{name}>"), count)));
         for (what, count) in reader.ignored {
             let what = if count == 1 { what.replacen("curves (edges", "curve (edges", 1) } else { what };
             reader.out.notes.push(format!("not read: {count} {what}"));

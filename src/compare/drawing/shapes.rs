@@ -333,12 +333,8 @@ impl<'a, 'i> Reader<'a, 'i> {
             return Err(word(node.range().start, "auto", wanted));
         }
         let rings = rings(node, &around.transform, around)?;
-        self.out.painting.add(
-            Shape::Area(Area::new(&rings, false)),
-            (Paint::Some, 1.0),
-            around.clip,
-            around.part(Part::Other),
-        );
+        let area = Shape::Area(Area::new(&rings, false));
+        self.out.painting.add(area, (Paint::Some, 1.0), around.clip, around.part(Part::Other));
         Ok(())
     }
 }
