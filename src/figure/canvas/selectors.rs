@@ -228,7 +228,7 @@ pub(super) fn steps(selector: &str) -> Option<Vec<Step<'_>>> {
     let mut out = Vec::new();
     let mut is_child = false;
     // Blanks within brackets part nothing.
-    for part in parts(selector, ' ').flat_map(|part| with_child_marks(part)) {
+    for part in parts(selector, ' ').flat_map(with_child_marks) {
         if part == ">" {
             if is_child || out.is_empty() {
                 return None;
