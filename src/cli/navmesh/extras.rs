@@ -5,6 +5,7 @@ use super::areas::{Area, area};
 use super::ends::Snap;
 use super::map::Map;
 use super::numbers::number;
+use super::routes::Links;
 use super::space::{Ground, Wish};
 use super::tell::point;
 use dcel_kit::navmesh::{Link, PathAlgorithm, Stop, SurfaceLink};
@@ -40,42 +41,6 @@ pub(super) struct LinkArgs {
     /// all sides. On a floor in space (--up) points may have three coordinates, as the file has them
     #[arg(long, value_name = "X0,Y0,X1,Y1,COST", value_parser = link, allow_hyphen_values = true)]
     link: Vec<LinkWish>,
-}
-
-/// The links of the command line. One whose ends are at points of several sides is a link from each side to each side.
-pub(super) struct Links<L> {
-    pub(super) sides: Vec<L>,
-    /// For each of them which link of the command line it is, from 0.
-    numbers: Vec<usize>,
-}
-
-impl<L> Links<L> {
-    fn new() -> Self {
-        Self { sides: Vec::new(), numbers: Vec::new() }
-    }
-
-    /// Adds the next link of the command line, from side to side.
-    fn add<P>(&mut self, [from, to]: [&[P]; 2], link: impl Fn(&P, &P) -> L) {
-        let number = self.numbers.last().map_or(0, |last| last + 1);
-        for side in from.iter().flat_map(|a| to.iter().map(move |b| (a, b))) {
-            self.sides.push(link(side.0, side.1));
-            self.numbers.push(number);
-        }
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.sides.is_empty()
-    }
-
-    /// Which links of the command line these are.
-    pub(super) fn numbers(&self, sides: &[usize]) -> Vec<usize> {
-        sides.iter().map(|&side| self.numbers[side]).collect()
-    }
-
-    /// The first of the sides of a link of the command line.
-    pub(super) fn first_side(&self, number: usize) -> Option<&L> {
-        self.sides.get(self.numbers.partition_point(|&of| of < number))
-    }
 }
 
 /// A link of the command line: two points of two or of three numbers, and what it costs.

@@ -3,9 +3,8 @@
 use super::super::output::point as told;
 use super::super::{Answer, Failure, Output, fields};
 use super::ends::{End, Wish, choose_side};
-use super::extras::Links;
 use super::map::Map;
-use super::routes::tell_linked;
+use super::routes::{Links, tell_linked};
 use super::tell::{Spot, point};
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, PathAlgorithm, Planner, QueryPoint, Stop};

@@ -3,11 +3,11 @@
 use super::super::{Answer, Failure, Output, fields, tell};
 use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish, choose_side};
-use super::extras::{Extras, Links};
+use super::extras::Extras;
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
-use super::routes::{Row, answer, compared, print};
+use super::routes::{Links, Row, answer, compared, print};
 use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;

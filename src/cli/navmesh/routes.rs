@@ -2,7 +2,6 @@
 
 use super::super::output::{names, point, table};
 use super::super::{Answer, Failure, Output, fields, say};
-use super::extras::Links;
 use super::tell::faces;
 use dcel_kit::io::counted;
 use dcel_kit::navmesh::{PathAlgorithm, Work};
@@ -206,13 +205,52 @@ pub(super) fn choose<P: Copy>(
     [starts[i], goals[k]]
 }
 
-/// Tells a path over links, if there is one: what its legs and links cost, the legs, each in words, too, and the links, by
-/// their sides. `ends` are those of a link, `between` those of the path, `ground` is what was searched.
+/// The links of the command line. One whose ends are at points of several sides is a link from each side to each side.
+pub(super) struct Links<L> {
+    pub(super) sides: Vec<L>,
+    /// For each of them which link of the command line it is, from 0.
+    numbers: Vec<usize>,
+}
+
+impl<L> Links<L> {
+    pub(super) fn new() -> Self {
+        Self { sides: Vec::new(), numbers: Vec::new() }
+    }
+
+    /// Adds the next link of the command line, from side to side.
+    pub(super) fn add<P>(&mut self, [from, to]: [&[P]; 2], link: impl Fn(&P, &P) -> L) {
+        let number = self.numbers.last().map_or(0, |last| last + 1);
+        for side in from.iter().flat_map(|a| to.iter().map(move |b| (a, b))) {
+            self.sides.push(link(side.0, side.1));
+            self.numbers.push(number);
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.sides.is_empty()
+    }
+
+    /// Which links of the command line these are.
+    pub(super) fn numbers(&self, sides: &[usize]) -> Vec<usize> {
+        sides.iter().map(|&side| self.numbers[side]).collect()
+    }
+
+    /// The first of the sides of a link of the command line.
+    pub(super) fn first_side(&self, number: usize) -> Option<&L> {
+        self.sides.get(self.numbers.partition_point(|&of| of < number))
+    }
+}
+
+/// What the legs and links of a path cost, the legs, each in words, too, and the links by their sides.
+type Linked<'a, L> = (f64, Vec<(L, String)>, &'a [usize]);
+
+/// Tells a path over links, if there is one. `ends` are those of a link, `between` those of the path, `ground` is what was
+/// searched.
 pub(super) fn tell_linked<L: Serialize, S: Serialize, K>(
     (source, json): (&str, bool),
     algorithm: PathAlgorithm,
     ([start, goal], [start_moved, goal_moved]): ([S; 2], [Option<f64>; 2]),
-    path: Option<(f64, Vec<(L, String)>, &[usize])>,
+    path: Option<Linked<'_, L>>,
     (links, ends): (&Links<K>, impl Fn(&K) -> ([String; 2], f64)),
     (ground, between): (&str, [String; 2]),
     out: &mut Output,

@@ -132,7 +132,7 @@ pub(crate) fn vector(text: &str) -> Result<[f64; 3], String> {
 
 /// A direction in which some vertices can lie further than others.
 pub(crate) fn direction(numbers: [f64; 3]) -> Result<Direction, Failure> {
-    if numbers == [0.0; 3] {
+    if numbers.iter().all(|&x| x == 0.0) {
         return Err(Failure::input("0,0,0 is no direction: all vertices lie equally far in it", "for example: 0,0,1"));
     }
     Direction::try_from(numbers)

@@ -15,7 +15,7 @@ use super::super::super::input::text_of;
 use super::super::super::{Failure, Output};
 use super::super::{folder, kit};
 use super::page::{self, Page, escaped};
-use super::{no_kit, packed};
+use super::{of_kit, packed};
 use dcel_lab::course::{Course, CourseLab, SharedCourse};
 use dcel_lab::{CourseFiles, Kit, LabFiles, Packed, Points, classroom50_files, gradescope_files};
 use std::collections::BTreeMap;
@@ -58,10 +58,10 @@ impl Export<'_> {
 
             let sources = kit::program_sources;
             let private = self.private(&shared, number, lab)?;
-            let grader = gradescope_files(name, self.kit, sources(), Some(&private)).map_err(no_kit)?;
+            let grader = of_kit(gradescope_files(name, self.kit, sources(), Some(&private)))?;
             files.insert(format!("gradescope/{name}.zip"), packed(&grader)?);
             let public = Some(shared.for_public_grader(number));
-            let grader = classroom50_files(name, self.kit, sources(), public).map_err(no_kit)?;
+            let grader = of_kit(classroom50_files(name, self.kit, sources(), public))?;
             files.insert(format!("classroom50/{name}.zip"), packed(&grader)?);
         }
         let students: Packed = shared.for_students().into();

@@ -88,20 +88,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let what = format!("{}: an autograder is a zip archive", target.display());
             return Err(Failure::input(what, "let its name end in .zip"));
         }
-        let files = gradescope_files(lab.name(), &place, kit::program_sources(), None).map_err(no_kit)?;
+        let files = of_kit(gradescope_files(lab.name(), &place, kit::program_sources(), None))?;
         write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
     }
     if let Some(target) = &args.classroom50 {
-        let files = classroom50_files(lab.name(), &place, kit::program_sources(), None).map_err(no_kit)?;
+        let files = of_kit(classroom50_files(lab.name(), &place, kit::program_sources(), None))?;
         write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
     }
     Ok(Answer::Yes)
 }
 
-fn no_kit(error: std::io::Error) -> Failure {
-    Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT")
+/// Files that need the sources of the kit.
+fn of_kit<T>(files: std::io::Result<T>) -> Result<T, Failure> {
+    files.map_err(|error| Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT"))
 }
 
 fn is_zip(path: &Path) -> bool {

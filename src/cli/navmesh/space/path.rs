@@ -3,9 +3,8 @@
 use super::super::super::output::point as told;
 use super::super::super::{Answer, Failure, Output, tell};
 use super::super::drawing::{Canvas, save};
-use super::super::extras::Links;
 use super::super::path::Args;
-use super::super::routes::{Row, WHERE_FACES_TOUCH, answer, choose, compared, print, tell_linked};
+use super::super::routes::{Links, Row, WHERE_FACES_TOUCH, answer, choose, compared, print, tell_linked};
 use super::super::tell::faces;
 use super::{End, Ground, Wish, points_of};
 use dcel_kit::FaceMap;
