@@ -385,9 +385,8 @@ impl<'a> Scanner<'a> {
 
     /// Refuses a word that comes after the `count` of `what` that the file announces.
     pub(super) fn no_more(&mut self, what: &'static str, count: u64, help: &'static str) -> Result<(), ReadError> {
-        let word = self.word_anywhere();
-        let error = |word: Word<'_>| self.error(word.at, ReadProblem::MoreThanCounted { what, count }, help);
-        word.map_or(Ok(()), |word| Err(error(word)))
+        let Some(word) = self.word_anywhere() else { return Ok(()) };
+        Err(self.error(word.at, ReadProblem::MoreThanCounted { what, count }, help))
     }
 
     /// Accepts the end of the line (or a comment) and nothing else.

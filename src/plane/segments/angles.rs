@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::one_rings::OneRings;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::grouped;
-use crate::geometry::predicates::{doubtful_area, orientation};
+use crate::geometry::predicates::{doubtful_area, is_left_of, orientation};
 use crate::plane::Point;
 use crate::topology::TooMany;
 use std::cmp::Ordering;
@@ -86,7 +86,7 @@ fn sorted_few<const N: usize>(
 ) -> bool {
     let mut given = [(0, at, false); N];
     for (given, (&h, &p)) in given.iter_mut().zip(ring.iter().zip(ends)) {
-        *given = (h, p, is_left(at, p));
+        *given = (h, p, is_left_of(p, at));
     }
     let mut before = [0; N];
     for (i, &(_, p, is_p_left)) in given.iter().enumerate() {
@@ -111,13 +111,7 @@ fn sorted_few<const N: usize>(
     pairs.fold(true, |all, pair| all & are_good(pair))
 }
 
-/// Whether a place is to the left of a point, or straight down from it.
-#[inline]
-fn is_left(of: Point, p: Point) -> bool {
-    (p.x < of.x) | ((p.x <= of.x) & (p.y < of.y))
-}
-
 /// Which of two places comes first round a point, counter-clockwise from straight down; straight down itself is last.
 fn from_below(round: Point, a: Point, b: Point) -> Ordering {
-    is_left(round, a).cmp(&is_left(round, b)).then_with(|| orientation(round, a, b).reverse())
+    is_left_of(a, round).cmp(&is_left_of(b, round)).then_with(|| orientation(round, a, b).reverse())
 }

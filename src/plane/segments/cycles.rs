@@ -9,6 +9,7 @@
 //! ```
 
 use super::one_rings::OneRings;
+use crate::geometry::predicates::is_left_of;
 use crate::ids::{HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::Point;
 use crate::plane::rings::Loose;
@@ -32,8 +33,7 @@ pub(super) fn cycles(one_rings: OneRings, points: &[Point]) -> Result<(Columns, 
             columns.face[h as usize] = face;
             let v = columns.origin[h as usize];
             let here = points[v as usize];
-            // Without a branch: the processor would guess many of them wrong.
-            let is_left = (here.x < place.x) | ((here.x <= place.x) & (here.y < place.y));
+            let is_left = is_left_of(here, place);
             leftmost = if is_left { v } else { leftmost };
             place = if is_left { here } else { place };
             h = columns.next[h as usize];
