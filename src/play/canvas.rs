@@ -38,9 +38,11 @@ impl Default for Canvas {
 }
 
 impl Canvas {
-    pub(super) fn resize(&mut self, width: f64, height: f64) {
+    /// Whether that asks for another picture than the one there is.
+    pub(super) fn resize(&mut self, width: f64, height: f64) -> bool {
         let clamp = |x: f64| if x.is_finite() { x.clamp(240.0, 4000.0) } else { 830.0 };
-        self.size = [clamp(width), clamp(height)];
+        let before = std::mem::replace(&mut self.size, [clamp(width), clamp(height)]);
+        self.fit.is_none() || self.size != before
     }
 
     /// Another scene: it is seen whole.

@@ -129,7 +129,7 @@ impl Scene {
         let path = Path::new(name);
         let ends_in = |end: &str| path.extension().is_some_and(|known| known.eq_ignore_ascii_case(end));
         if let Some(text) = text
-            && (ends_in("dcels") || starts_as_script(text))
+            && (ends_in("dcels") || Ground::begun(text).is_some())
         {
             return Self::script(text, name);
         }
@@ -326,13 +326,6 @@ fn schlegel(solid: &Polyhedron, source: &str) -> Result<Scene, String> {
     let face = solid.polygon_faces().next().ok_or("the surface has no face")?;
     let seen = solid.schlegel(face).map_err(|error| error.to_string())?;
     Ok(Scene::of_plane(seen.diagram, source))
-}
-
-/// Whether the first word of a text is a start of the script language.
-pub(super) fn starts_as_script(text: &str) -> bool {
-    let first = text.lines().map(|line| line.split('#').next().unwrap_or("").trim()).find(|line| !line.is_empty());
-    let word = first.and_then(|line| line.split_whitespace().next()).unwrap_or("");
-    ["rectangle", "polygon", "triangles", "torus", "ring", "surface", "solid"].contains(&word)
 }
 
 /// The line that makes exactly this structure, if there is one.

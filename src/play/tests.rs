@@ -232,6 +232,33 @@ fn clicks_hit_what_is_drawn_there() {
 }
 
 #[test]
+fn other_room_changes_the_picture_alone() {
+    let mut session = Session::new();
+    let room = |width| Action::Resize { width, height: 620.0 };
+    session.act(&room(700.0));
+    script(&mut session, "split_face h2 h8");
+    session.act(&Action::Pick { id: "h12".to_owned() });
+    assert_eq!(session.act(&room(700.0)), Reply::default(), "the same room");
+    let reply = session.act(&room(500.0));
+    assert!(reply.svg.as_ref().unwrap().contains("viewBox=\"0 0 500 "), "{reply:?}");
+    assert_eq!(Reply { svg: None, ..reply }, Reply::default());
+    // Where half-edges are not drawn, what was refused is marked anew, until something else is done.
+    let corners = (0..61 * 61).map(|i| format!("v {} {} 0\n", i % 61, i / 61));
+    let squares =
+        (0..60 * 60).map(|i| i % 60 + i / 60 * 61 + 1).map(|a| format!("f {a} {} {} {}\n", a + 1, a + 62, a + 61));
+    let text: String = corners.chain(squares).collect();
+    assert!(!refused(&session.open("grid.obj", text.as_bytes())));
+    let marked = |reply: &Reply| reply.over.as_ref().unwrap().matches("mark bad").count();
+    let no = script(&mut session, "split_face h0 h9");
+    let moved = session.act(&room(650.0));
+    assert!(refused(&no) && marked(&no) > 2 && no.over != moved.over);
+    assert_eq!(marked(&moved), marked(&no));
+    session.act(&Action::Pick { id: "v3".to_owned() });
+    let over = session.act(&room(600.0)).over.unwrap();
+    assert!(over.contains("class=\"mark\"") && !over.contains("bad"));
+}
+
+#[test]
 fn a_dragged_corner_moves_while_that_is_legal() {
     let mut session = Session::new();
     session.act(&Action::Resize { width: 830.0, height: 620.0 });
@@ -364,4 +391,20 @@ fn a_torus_is_drawn_and_edited_without_places() {
     assert!(!refused(&session.act(&Action::Edit { word: "split_edge".to_owned() })));
     assert!(saved(&mut session, "script").starts_with("torus\nlet a1 = split_edge h0"));
     assert!(saved(&mut session, "play").contains("<svg"));
+}
+
+#[test]
+fn a_script_of_any_start_begins_a_scene() {
+    let starts = [
+        ("polygon 0 0 4 0 0 4", "plane"),
+        ("# a pyramid\nmesh 0 0 0 1 0 0 0 1 0 0 0 1 / 0 2 1 / 0 1 3 / 1 2 3 / 0 3 2", "plane"),
+        ("solid cube", "plane"),
+        ("ring 5", "kernel"),
+    ];
+    for (text, scene) in starts {
+        let mut session = Session::new();
+        let reply = script(&mut session, text);
+        assert!(!refused(&reply), "{text}: {:?}", reply.message);
+        assert_eq!(reply.status.unwrap().scene, scene, "{text}");
+    }
 }

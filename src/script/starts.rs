@@ -52,7 +52,13 @@ impl Ground {
     /// What the script starts from. A text without a start counts as one of the plane, whose reader says what is wrong.
     #[must_use]
     pub fn of(text: &str) -> Self {
-        lines(text).next().and_then(|line| start_word(line.words[0].text)).unwrap_or(Self::Plane)
+        Self::begun(text).unwrap_or(Self::Plane)
+    }
+
+    /// The same, and nothing where the first word of the text is no start.
+    #[must_use]
+    pub fn begun(text: &str) -> Option<Self> {
+        lines(text).next().and_then(|line| start_word(line.words[0].text))
     }
 }
 

@@ -13,6 +13,8 @@
   let selected = { ids: [], pointers: [], edits: [], waiting: "" };
   let tables = "";
   let named = new Map();
+  const marked = { on: [], trail: [], bad: [] };
+  let said = { tone: "note", text: "", elements: [] };
   let corners = null;
   let breaking = false;
   let quiz = { what: "" };
@@ -86,6 +88,7 @@
       if (!named.has(name)) named.set(name, []);
       named.get(name).push(element);
     }
+    for (const kind of ["on", "trail", "bad"]) mark(kind, marked[kind]);
     rove(focus ? $(focus) : null);
     if (inside) ($(focus) ?? picture.querySelector('[tabindex="0"]'))?.focus({ preventScroll: true });
   }
@@ -106,6 +109,7 @@
   }
 
   function mark(kind, names) {
+    marked[kind] = names;
     for (const element of document.querySelectorAll(`#picture [data-name].${kind}, tr.${kind}`)) {
       if (kind !== "bad" || element.tagName !== "TR") element.classList.remove(kind);
     }
@@ -231,7 +235,8 @@
     box.scrollTop = Math.max(Math.min(box.scrollTop, top), bottom);
   }
 
-  function say({ tone, text, elements: names }) {
+  function say(message) {
+    const { tone, text, elements: names } = said = message;
     const box = $("message");
     if (box.textContent !== text) box.textContent = text;
     box.className = text ? tone : "";
@@ -496,11 +501,12 @@
   for (const [id, act] of Object.entries(buttons)) $(id).addEventListener("click", act);
 
   function outlining(on) {
-    if (!on) corners = null;
     $("corners").hidden = !on;
     picture.classList.toggle("dim", on);
-    if (!on) overlay("");
-    else say({ tone: "note", text: "", elements: [] });
+    if (on) return say({ tone: "note", text: "", elements: [] });
+    corners = null;
+    overlay("");
+    resize();
   }
 
   $("practise").addEventListener("submit", (event) => {
@@ -679,10 +685,16 @@
 
   // The room for the picture.
 
+  const room = () => ({ do: "resize", width: picture.clientWidth - 4, height: picture.clientHeight - 4 });
+
+  // A window that is turned, or shares the screen with a keyboard, takes back nothing of what was said. The corners of
+  // a polygon are places of the picture: it gets its room when they are done.
   let sized = 0;
   function resize() {
-    const { clientWidth: width, clientHeight: height } = picture;
-    ask({ do: "resize", width: width - 4, height: height - 4 });
+    if (corners) return;
+    const before = said;
+    ask(room());
+    if (before.text) say(before);
   }
   window.addEventListener("resize", () => {
     clearTimeout(sized);
@@ -697,7 +709,8 @@
   // The beginning: the scene of the address, else of the file in this page, else of the last time.
 
   function begin() {
-    resize();
+    kit.act(JSON.stringify(room()));
+    ask({ do: "show" });
     const text = location.hash.slice(1);
     const inside = $("scene");
     if (text) {

@@ -492,6 +492,56 @@ const tests = {
     await page.send("Page.removeScriptToEvaluateOnNewDocument", { identifier });
   },
 
+  async "a window that is turned, or gives room to a keyboard, takes nothing back"(page) {
+    const kind = { deviceScaleFactor: 1, mobile: page.touch };
+    let [width, height] = await page.evaluate(`[innerWidth, innerHeight]`);
+    const drawn = () => page.evaluate(`(() => { const box = document.querySelector("#picture svg").viewBox.baseVal; return box.width + " x " + box.height; })()`);
+    const turn = async (redrawn = true) => {
+      const before = await drawn();
+      [width, height] = [width - 12, height - 20];
+      await page.send("Emulation.setDeviceMetricsOverride", { width, height, ...kind });
+      if (redrawn) await page.until(`(() => { const box = document.querySelector("#picture svg").viewBox.baseVal; return box.width + " x " + box.height !== ${JSON.stringify(before)}; })()`, "the picture has its new room");
+      else await sleep(300);
+    };
+    const has = (kind, name) => page.evaluate(`document.querySelector('#picture [data-name="${name}"]').classList.contains("${kind}")`);
+    await run(page, "split_face h2 h8");
+    await says(page, "split_face h2 h8 returned h12, f2");
+    await turn();
+    await says(page, "split_face h2 h8 returned h12, f2");
+    await page.evaluate(`document.getElementById("path").value = "h2.next.twin"; document.getElementById("walk").requestSubmit()`);
+    await page.until(`document.getElementById("trail").textContent === "h2 → h4 → h5"`, "the walk");
+    await turn();
+    assert.equal(await text(page, "trail"), "h2 → h4 → h5");
+    assert.ok(await has("trail", "h4"), "the walk is marked");
+    await page.click(vertex("v1"));
+    await page.evaluate(`document.getElementById("line").value = "split_face h2 h8"; document.getElementById("script").requestSubmit()`);
+    await says(page, "choose two half-edges of the same face");
+    await turn();
+    await says(page, "choose two half-edges of the same face");
+    assert.ok(await has("bad", "h8") && await has("on", "v1"), "what is refused and what is selected are marked");
+    assert.equal(await page.evaluate(`document.getElementById("line").value`), "split_face h2 h8");
+    // A pointer that is being written.
+    await action(page, "break");
+    await page.evaluate(`document.querySelector('tr[data-id="h4"] [data-pointer="next"]').click()`);
+    await page.evaluate(`document.querySelector("td input").value = "h1"`);
+    await turn();
+    assert.equal(await page.evaluate(`document.querySelector("td input")?.value`), "h1");
+    assert.equal(await page.evaluate(`document.activeElement.tagName`), "INPUT");
+    await page.key("Escape");
+    await action(page, "break");
+    // The corners of a polygon stay where they were clicked.
+    await action(page, "polygon");
+    await page.evaluate(`document.getElementById("picture").scrollIntoView()`);
+    const [x, y, wide, high] = await page.evaluate(`(() => { const b = document.querySelector("#picture svg").getBoundingClientRect(); return [b.x, b.y, b.width, b.height]; })()`);
+    for (const [right, down] of [[0.3, 0.3], [0.3, 0.7], [0.7, 0.7]]) await page.press([[x + right * wide, y + down * high]]);
+    await turn(false);
+    assert.equal(await page.evaluate(`document.querySelectorAll("#over circle").length`), 3);
+    await action(page, "finish");
+    await page.until(`document.getElementById("counts").textContent === "3 vertices, 3 edges, 2 faces"`, "the polygon is there");
+    const room = await page.evaluate(`document.getElementById("picture").clientWidth - 4`);
+    assert.ok((await drawn()).startsWith(`${room} x`), "the polygon has the new room");
+  },
+
   async "nothing jumps while the page starts and the scene changes"(page) {
     const { identifier } = await page.send("Page.addScriptToEvaluateOnNewDocument", { source: `
       window.jumps = [];

@@ -41,6 +41,8 @@ pub struct Session {
     /// Where a face was clicked.
     at: Option<Point>,
     waiting: Option<&'static Row>,
+    /// What the last refusal named, until something else is done.
+    refused: Vec<Element>,
     pub(super) broken: Option<Broken>,
     quiz: Option<Quiz>,
 }
@@ -55,13 +57,16 @@ struct Quiz {
 /// What of a session is to be told.
 #[derive(Clone, Copy, Debug, Default)]
 struct Changed {
+    /// The room for the picture alone: everything else that is shown stays.
+    room: bool,
     structure: bool,
     selection: bool,
 }
 
-const NOTHING: Changed = Changed { structure: false, selection: false };
-const ALL: Changed = Changed { structure: true, selection: true };
-const SELECTION: Changed = Changed { structure: false, selection: true };
+const NOTHING: Changed = Changed { room: false, structure: false, selection: false };
+const ROOM: Changed = Changed { room: true, ..NOTHING };
+const ALL: Changed = Changed { room: false, structure: true, selection: true };
+const SELECTION: Changed = Changed { selection: true, ..NOTHING };
 
 type Outcome = Result<(Changed, Reply), String>;
 
@@ -81,6 +86,7 @@ impl Session {
             chosen: Vec::new(),
             at: None,
             waiting: None,
+            refused: Vec::new(),
             broken: None,
             quiz: None,
         }
@@ -127,6 +133,9 @@ impl Session {
     fn told(&mut self, outcome: Outcome) -> Reply {
         match outcome {
             Ok((changed, mut reply)) => {
+                if !changed.room {
+                    self.refused.clear();
+                }
                 self.fill(changed, &mut reply);
                 reply
             }
@@ -135,12 +144,11 @@ impl Session {
     }
 
     /// A refusal. What it names is marked where single half-edges are not drawn.
-    fn refusal(&self, reason: &str) -> Reply {
+    fn refusal(&mut self, reason: &str) -> Reply {
+        self.refused = named(reason);
         let mut reply = Reply { message: Some(Message::new(Tone::Refused, reason)), ..Reply::default() };
         if !self.canvas.shows_half_edges() && matches!(self.scene, Scene::Plane { .. }) {
-            let (table, mut over) = (self.table(), Over::default());
-            named(reason).into_iter().for_each(|name| over.mark("mark bad", &self.canvas, &table, name));
-            reply.over = Some(over.0);
+            reply.over = Some(self.marked("mark bad", &self.refused, &self.table()));
         }
         reply
     }
@@ -149,10 +157,7 @@ impl Session {
         let quiet = |changed| Ok((changed, Reply::default()));
         match action {
             Action::Show => quiet(ALL),
-            Action::Resize { width, height } => {
-                self.canvas.resize(*width, *height);
-                quiet(ALL)
-            }
+            Action::Resize { width, height } => quiet(if self.canvas.resize(*width, *height) { ROOM } else { NOTHING }),
             Action::Start { what } => Scene::start(what).map(|(scene, notes)| self.begin(scene, &notes)),
             Action::Polygon { places } => self.polygon(places),
             Action::Outline { places } => Ok((NOTHING, Reply { over: Some(outline(places)), ..Reply::default() })),

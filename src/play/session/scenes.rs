@@ -3,7 +3,8 @@
 use super::{ALL, Changed, Message, NOTHING, Outcome, Question, Reply, Session, Tone, link};
 use crate::plane::Point;
 use crate::play::edits::Done;
-use crate::play::scene::{Scene, starts_as_script};
+use crate::play::scene::Scene;
+use crate::script::Ground;
 
 impl Session {
     pub(super) fn begin(&mut self, scene: Scene, notes: &[String]) -> (Changed, Reply) {
@@ -60,7 +61,7 @@ impl Session {
 
     /// A script with a start replaces the scene; lines without one are carried out on it, all or none.
     pub(super) fn script(&mut self, text: &str) -> Outcome {
-        if starts_as_script(text) {
+        if Ground::begun(text).is_some() {
             let (scene, notes) = Scene::script(text, "script")?;
             return Ok(self.begin(scene, &notes));
         }

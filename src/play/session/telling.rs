@@ -20,6 +20,11 @@ impl Session {
     }
 
     pub(super) fn fill(&mut self, changed: Changed, reply: &mut Reply) {
+        if changed.room {
+            let table = self.table();
+            self.draw(&table, reply);
+            reply.over = self.drawn_over(&table);
+        }
         if changed.structure {
             let table = self.table();
             self.draw(&table, reply);
@@ -108,9 +113,6 @@ impl Session {
         reply.script = Some(lines.into_iter().map(|line| [line.text, line.note]).collect());
         let link = self.link();
         reply.link = Some(if link.len() > LONGEST_LINK { String::new() } else { link });
-        if let Scene::Points(points) = &self.scene {
-            reply.over = Some(points.over(&self.canvas));
-        }
         if let Some(quiz) = &self.quiz {
             reply.quiz = Some(quiz.round.question());
         }
@@ -131,18 +133,24 @@ impl Session {
             selected.pointers.clear();
         }
         reply.selected = Some(selected);
-        if !self.canvas.shows_half_edges() && !matches!(self.scene, Scene::Kernel(_)) {
-            let mut over = Over(reply.over.take().unwrap_or_default());
-            if let Scene::Points(points) = &self.scene
-                && over.0.is_empty()
-            {
-                over.0 = points.over(&self.canvas);
-            }
-            for &element in &self.chosen {
-                over.mark("mark", &self.canvas, &table, element);
-            }
-            reply.over = Some(over.0);
+        reply.over = self.drawn_over(&table).or(reply.over.take());
+    }
+
+    /// What lies over the picture: lines of points, and marks where single half-edges are not drawn.
+    fn drawn_over(&self, table: &Table) -> Option<String> {
+        let points = if let Scene::Points(points) = &self.scene { Some(points.over(&self.canvas)) } else { None };
+        if self.canvas.shows_half_edges() || matches!(self.scene, Scene::Kernel(_)) {
+            return points;
         }
+        let refused = if points.is_none() { self.marked("mark bad", &self.refused, table) } else { String::new() };
+        Some(points.unwrap_or_default() + &self.marked("mark", &self.chosen, table) + &refused)
+    }
+
+    /// Elements marked over the picture.
+    pub(super) fn marked(&self, class: &str, elements: &[Element], table: &Table) -> String {
+        let mut over = Over::default();
+        elements.iter().for_each(|&element| over.mark(class, &self.canvas, table, element));
+        over.0
     }
 
     /// The edits that can be tried with what is selected.
