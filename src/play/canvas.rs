@@ -42,7 +42,7 @@ impl Canvas {
     pub(super) fn resize(&mut self, width: f64, height: f64) -> bool {
         let clamp = |x: f64| if x.is_finite() { x.clamp(240.0, 4000.0) } else { 830.0 };
         let before = std::mem::replace(&mut self.size, [clamp(width), clamp(height)]);
-        self.fit.is_none() || self.size != before
+        self.fit.is_none() || self.size.map(f64::to_bits) != before.map(f64::to_bits)
     }
 
     /// Another scene: it is seen whole.
