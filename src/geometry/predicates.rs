@@ -136,6 +136,25 @@ pub(crate) fn is_left_of(a: Point, b: Point) -> bool {
     (a.x < b.x) | ((a.x <= b.x) & (a.y < b.y))
 }
 
+/// Whether a place comes before another round a point, counter-clockwise from straight down; straight down itself is last.
+/// Of those in one direction none comes first.
+#[inline]
+pub(crate) fn is_before_round(at: Point, p: Point, q: Point) -> bool {
+    is_before_round_of_sides(at, [p, q], [is_left_of(p, at), is_left_of(q, at)])
+}
+
+/// The same for places that are known to be left of the point or not. Without a branch, as [`doubtful_area`] is.
+#[inline]
+pub(crate) fn is_before_round_of_sides(at: Point, [p, q]: [Point; 2], [is_p_left, is_q_left]: [bool; 2]) -> bool {
+    let (area, doubt) = doubtful_area(at, p, q);
+    let is_same_side = is_p_left == is_q_left;
+    if is_same_side & (area.abs() <= doubt) {
+        orientation(at, p, q).is_gt()
+    } else {
+        (is_same_side & (area > 0.0)) | (!is_p_left & is_q_left)
+    }
+}
+
 /// A whole number that orders finite numbers as they are, with -0 = 0.
 #[inline]
 pub(crate) fn sort_key(x: f64) -> u64 {

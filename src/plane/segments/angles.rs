@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::one_rings::OneRings;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::grouped;
-use crate::geometry::predicates::{doubtful_area, is_left_of, orientation};
+use crate::geometry::predicates::{is_before_round_of_sides, is_left_of, orientation};
 use crate::plane::Point;
 use crate::topology::TooMany;
 use std::cmp::Ordering;
@@ -91,13 +91,7 @@ fn sorted_few<const N: usize>(
     let mut before = [0; N];
     for (i, &(_, p, is_p_left)) in given.iter().enumerate() {
         for (j, &(_, q, is_q_left)) in given.iter().enumerate().take(i) {
-            let (area, doubt) = doubtful_area(at, p, q);
-            let is_same_side = is_p_left == is_q_left;
-            let is_p_first = if is_same_side & (area.abs() <= doubt) {
-                orientation(at, p, q).is_gt()
-            } else {
-                (is_same_side & (area > 0.0)) | (!is_p_left & is_q_left)
-            };
+            let is_p_first = is_before_round_of_sides(at, [p, q], [is_p_left, is_q_left]);
             before[i] += usize::from(!is_p_first);
             before[j] += usize::from(is_p_first);
         }

@@ -7,6 +7,7 @@
 //! ```
 
 use super::graph::Graph;
+use crate::geometry::predicates::is_before_round;
 use crate::ids::MAX_IDS;
 use crate::plane::sweep::OneRing;
 use crate::topology::{Columns, TooMany};
@@ -66,9 +67,35 @@ impl OneRings {
         self.columns
     }
 
+    /// The half-edge with which a one-ring begins.
+    #[inline]
+    pub(super) fn begin(&mut self, point: u32, h: u32) {
+        self.columns.outgoing[point as usize] = h;
+    }
+
+    /// Turns one-rings, which are counter-clockwise, so that they begin with the first half-edge counter-clockwise from
+    /// straight down. That is most often so already.
+    pub(super) fn begin_straight_down(&mut self, graph: &Graph) {
+        let Graph { points, edges, .. } = graph;
+        let to = |h: u32| points[edges.as_flattened()[(h ^ 1) as usize] as usize];
+        let Columns { next, prev, outgoing, .. } = &mut self.columns;
+        for (&at, first) in points.iter().zip(outgoing).filter(|(_, first)| **first != Columns::NONE) {
+            let given = *first;
+            let last = next[(given ^ 1) as usize];
+            if last == given || is_before_round(at, to(given), to(last)) {
+                continue;
+            }
+            let mut h = prev[given as usize] ^ 1;
+            while h != given && !is_before_round(at, to(h), to(next[(h ^ 1) as usize])) {
+                h = prev[h as usize] ^ 1;
+            }
+            *first = h;
+        }
+    }
+
     /// Of two half-edges of a one-ring the second follows the first, counter-clockwise.
     #[inline]
-    fn meet(&mut self, g: u32, h: u32) {
+    pub(super) fn meet(&mut self, g: u32, h: u32) {
         self.columns.next[(h ^ 1) as usize] = g;
         self.columns.prev[g as usize] = h ^ 1;
     }

@@ -11,11 +11,9 @@ use super::one_rings::OneRings;
 use super::trace::trace_known;
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::Joined;
-use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::topology::TooMany;
-use std::cmp::Ordering;
 
 /// Says that an edge goes.
 const GONE: u32 = u32::MAX;
@@ -35,23 +33,34 @@ impl Subdivision {
         let mut number = vec![GONE; self.dcel.vertex_bound()];
         edges.iter().flat_map(|&e| self.edge_ends(e)).for_each(|v| number[v.index()] = 0);
         let mut points: Vec<Point> = Vec::new();
-        let mut stay: Vec<VertexId> = Vec::new();
-        for v in self.dcel.vertices().filter(|v| number[v.index()] != GONE).collect::<Vec<_>>() {
-            number[v.index()] = points.len() as u32;
+        let mut stored: Vec<Option<HalfEdgeId>> = Vec::new();
+        for (v, number) in (0..).map(VertexId::new).zip(&mut number).filter(|(_, number)| **number != GONE) {
+            *number = points.len() as u32;
             points.push(self.points[v]);
-            stay.push(v);
+            stored.push(self.dcel.outgoing(v));
         }
         let ends = edges.iter().map(|&e| of_both(self.edge_ends(e), |v| number[v.index()])).collect();
         let graph = Graph { points, edges: ends, order: Order::default() };
 
+        // Half-edge by half-edge, not vertex by vertex: no step waits for the one before.
         let mut one_rings = OneRings::new(&graph)?;
-        let mut ring: Vec<HalfEdgeId> = Vec::new();
-        for (new, &v) in (0..).zip(&stay) {
-            ring.clear();
-            ring.extend(self.dcel.outgoing_half_edges(v).filter(|h| new_edge[h.edge().index()] != GONE));
-            self.begin_straight_down(&mut ring);
-            one_rings.link_all(new, ring.iter().copied().filter_map(new_half));
+        let stays_from = |mut h: HalfEdgeId, on: fn(&Self, HalfEdgeId) -> HalfEdgeId| loop {
+            match new_half(h) {
+                Some(new) => break new,
+                None => h = on(self, h),
+            }
+        };
+        let clockwise = |s: &Self, h: HalfEdgeId| s.dcel.next(h.twin());
+        let counter_clockwise = |s: &Self, h: HalfEdgeId| s.dcel.prev(h).twin();
+        for (new, h) in (0..).zip(edges.iter().flat_map(|e| e.half_edges())) {
+            one_rings.meet(stays_from(clockwise(self, h), clockwise), new);
         }
+        for (v, &stored) in (0..).zip(&stored) {
+            if let Some(stored) = stored {
+                one_rings.begin(v, stays_from(stored, counter_clockwise));
+            }
+        }
+        one_rings.begin_straight_down(&graph);
 
         let mut joined = Joined::none(self.dcel.face_bound());
         for e in self.dcel.edges().filter(|e| new_edge[e.index()] == GONE) {
@@ -70,24 +79,6 @@ impl Subdivision {
             }
             new_face[joined.root(old_face(h).number()) as usize]
         })
-    }
-
-    /// Turns a one-ring, which is in counter-clockwise order, so that it begins with the first half-edge
-    /// counter-clockwise from straight down. That is most often so already.
-    fn begin_straight_down(&self, ring: &mut [HalfEdgeId]) {
-        let ends = |h: HalfEdgeId| of_both([h, h.twin()], |h| self.points[self.dcel.origin(h)]);
-        let before = |g: HalfEdgeId, h: HalfEdgeId| {
-            let ([p, q], [_, r]) = (ends(g), ends(h));
-            // Straight up is right, straight down is left.
-            left_to_right(q, p).cmp(&left_to_right(r, p)).reverse().then_with(|| orientation(p, r, q)) == Ordering::Less
-        };
-        let begins = |i: usize| {
-            let last = if i == 0 { ring.len() - 1 } else { i - 1 };
-            before(ring[i], ring[last])
-        };
-        if let Some(first) = (0..ring.len()).find(|&i| begins(i)) {
-            ring.rotate_left(first);
-        }
     }
 }
 
