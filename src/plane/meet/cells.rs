@@ -31,7 +31,7 @@ pub(in crate::plane) struct Meetings {
     pub(in crate::plane) crossings: Vec<[u32; 2]>,
     /// Edges with points in their interiors, each pair once.
     pub(in crate::plane) touches: Vec<[u32; 2]>,
-    /// What has no point in common is farther apart than this, if that is known.
+    /// What crosses something is farther than this from all that it has no point in common with, if that is known.
     pub(in crate::plane) gap: Option<Gap>,
 }
 
@@ -74,17 +74,17 @@ pub(in crate::plane) fn meetings(
     let whole = Frame { low: [0.0; 2], size: [high.x - low.x, high.y - low.y] };
     let gap = Gap::new([low.x, low.y, high.x, high.y].into_iter().fold(0.0, |reach, x| x.abs().max(reach)));
     let finest = whole.finest();
-    // Edges of one set may be near each other.
-    let is_apart = sets.is_empty();
     let found = Meetings::default();
-    let mut search = Search { points, edges, loose, sets, low, finest, gap, is_apart, found, steps: 0 };
+    let (is_apart, alone) = (true, Vec::new());
+    let mut search = Search { points, edges, loose, sets, low, finest, gap, is_apart, alone, found, steps: 0 };
     let items: Vec<u32> = (0..(edges.len() + loose.len()) as u32).collect();
     // Where sets are known, large cells come first: most of them have the edges of one set only, and are done.
     let sides = search.sides(&items, &whole, if sets.is_empty() { SOME } else { MANY });
     let stage = Stage::new("looking for crossings", sides[0] * sides[1]);
     search.compare(&items, &whole, sides, PATIENCE, |cell| stage.at(cell))?;
+    let is_apart = search.is_apart && search.is_seen_where_it_crosses(&Cells::new(&whole, sides));
     let mut found = search.found;
-    found.gap = search.is_apart.then_some(gap);
+    found.gap = is_apart.then_some(gap);
     for list in [&mut found.crossings, &mut found.touches] {
         each_once(list, edges.len());
     }
@@ -126,8 +126,10 @@ struct Search<'a> {
     /// No cell is narrower, nor lower.
     finest: [f64; 2],
     gap: Gap,
-    /// Whether all that has no point in common was farther apart than the gap.
+    /// Whether all that was compared and has no point in common was farther apart than the gap.
     is_apart: bool,
+    /// By cell of the whole grid the bits of a set, if all edges in it are of that set: then they were not compared.
+    alone: Vec<u8>,
     found: Meetings,
     steps: usize,
 }
@@ -192,9 +194,10 @@ impl Search<'_> {
     /// Looks at the items cell by cell.
     fn divide(&mut self, items: &[u32], cells: &Cells, patience: u32, tell: &dyn Fn(usize)) -> Result<(), NoMeetings> {
         self.is_apart &= cells.hold(self.gap.width());
+        let is_whole = self.alone.is_empty();
         let number = |column: usize, row: usize| row * cells.count[0] + column;
         let mut starts = vec![0_u32; cells.count[0] * cells.count[1] + 1];
-        // Where all items of a cell are of one set, nothing meets.
+        // Where all items of a cell are of one set, nothing meets. If others were near, they may be too near each other.
         let mut sets = vec![u8::MAX; starts.len()];
         // The cells of each item, row by row: from one to another.
         let mut runs: Vec<[u32; 3]> = Vec::with_capacity(items.len());
@@ -212,19 +215,23 @@ impl Search<'_> {
             });
         }
         self.spend(starts.len() / 4 + sum)?;
+        let is_skipped = |set: u8| set != 0 && is_whole;
         let mut all = 0;
         for (start, set) in starts.iter_mut().zip(&sets) {
-            all += if *set == 0 { *start as usize } else { 0 };
+            all += if is_skipped(*set) { 0 } else { *start as usize };
             *start = u32::try_from(all).map_err(|_| NoMeetings::LeftToSweep)?;
         }
         let mut lists = vec![0_u32; all];
         for &[first, last, item] in runs.iter().rev() {
-            for cell in (first as usize..=last as usize).filter(|&cell| sets[cell] == 0) {
+            for cell in (first as usize..=last as usize).filter(|&cell| !is_skipped(sets[cell])) {
                 starts[cell] -= 1;
                 lists[starts[cell] as usize] = item;
             }
         }
-        drop((runs, sets));
+        drop(runs);
+        if is_whole {
+            self.alone.clone_from(&sets);
+        }
         // The items of some cells are looked up at once, before anything is decided: memory answers many questions in the
         // time of one.
         let mut near: Vec<Near> = Vec::new();
@@ -233,6 +240,10 @@ impl Search<'_> {
             tell(cell);
             let [start, end] = [starts[cell] as usize, starts[cell + 1] as usize];
             let list = &lists[start..end];
+            if sets[cell] != 0 && (list.len() > FEW || !self.is_apart) {
+                self.is_apart &= list.is_empty();
+                continue;
+            }
             let is_nearly_all = 4 * list.len() > 3 * items.len();
             let patience = if is_nearly_all { patience - 1 } else { PATIENCE };
             if list.len() <= FEW || patience == 0 {
@@ -266,7 +277,11 @@ impl Search<'_> {
                     | (high[0] < other_low[0])
                     | (other_high[1] < low[1])
                     | (high[1] < other_low[1]);
-                if is_beside | (one.set & other.set != 0) {
+                if is_beside {
+                    continue;
+                }
+                if one.set & other.set != 0 {
+                    self.is_apart = self.is_apart && self.is_apart_in_set([one, other]);
                     continue;
                 }
                 let side = line.has_on_one_side(other.at);
@@ -283,6 +298,30 @@ impl Search<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Whether two edges of one set have an end in common, or are clearly farther apart than the gap.
+    fn is_apart_in_set(&self, [one, other]: [&Near; 2]) -> bool {
+        let beside = |near: &Near, at| self.gap.line(near.at).has_on_one_side(at) == Some(true);
+        one.ends.iter().any(|end| other.ends.contains(end)) || beside(one, other.at) || beside(other, one.at)
+    }
+
+    /// Whether what crosses something lies in cells in which everything was compared.
+    fn is_seen_where_it_crosses(&self, cells: &Cells) -> bool {
+        if self.alone.iter().all(|&set| set == 0 || set == u8::MAX) {
+            return true;
+        }
+        let mut is_seen = true;
+        let mut crosses = vec![false; self.edges.len()];
+        for &e in self.found.crossings.as_flattened() {
+            if !std::mem::replace(&mut crosses[e as usize], true) {
+                cells.rows_of(of_both(self.ends(e), |p| self.offset(p)), |row, first, last| {
+                    let row = &self.alone[row * cells.count[0]..][first..=last];
+                    is_seen &= row.iter().all(|&set| set == 0);
+                });
+            }
+        }
+        is_seen
     }
 
     /// An item with all that is asked of it.

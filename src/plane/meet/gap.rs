@@ -12,7 +12,8 @@
 //! not pass it, nothing can meet on the way from the exact places to the rounded ones: two pieces that come to meet do so
 //! first at an end of one of them. That no vertex is so near is seen from two things.
 //!
-//! 1. Segments that have no point in common are farther apart than the gap.
+//! 1. Segments that have no point in common are farther apart than the gap, if one of them crosses something: the others stay
+//!    where they are.
 //! 2. Round each vertex: of two half-edges that follow each other, the end of the shorter one is farther than the gap from the
 //!    line of the longer one, or they form an obtuse angle and both are longer than the gap.
 //!

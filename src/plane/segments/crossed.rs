@@ -26,7 +26,7 @@ pub(super) struct Cuts {
     pub(super) cuts: Vec<(u32, u32)>,
     /// The new points from left to right, as they were before rounding, and how far each is from its crossing.
     pub(super) new: Vec<(Point, f64)>,
-    /// Edges that have no point in common are farther apart than this, if that is known.
+    /// Edges that cross something are farther than this from all that they have no point in common with, if that is known.
     pub(super) gap: Option<Gap>,
 }
 

@@ -43,8 +43,8 @@ pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<S
     where_nothing_meets(graph).map(Some)
 }
 
-/// A look at a graph whose vertices were rounded by much less than the gap, and in which edges that had no point in common were
-/// farther apart than that. None if half-edges round a vertex are too near each other to tell that nothing meets; see [`Gap`].
+/// A look at a graph whose vertices were rounded by much less than the gap, and in which edges that were cut were farther than
+/// that from all that they had no point in common with. None if half-edges round a vertex are too near each other to tell that nothing meets; see [`Gap`].
 ///
 /// Cost: O(n), and O(d log d) for a vertex with d edges.
 pub(super) fn look_within(graph: &Graph, gap: Gap) -> Result<Option<Seen>, TooMany> {

@@ -256,6 +256,97 @@ mod tests {
         assert!(by_gap > 300 && by_sweep > 300 && bent > 100, "{by_gap} {by_sweep} {bent}");
     }
 
+    /// Whether two segments have nothing but ends in common.
+    fn are_free(one: [Point; 2], other: [Point; 2]) -> bool {
+        let [a, b] = other;
+        one != [a, b]
+            && one != [b, a]
+            && Cuts::without_sweep(&graph(&[one, other]), &[]).is_ok_and(|cuts| cuts.is_empty())
+    }
+
+    /// Two sets of segments that meet at common ends only, with the bit of each.
+    fn two_sets(all: Vec<[Point; 2]>) -> Vec<([Point; 2], u8)> {
+        let mut kept: Vec<([Point; 2], u8)> = Vec::new();
+        for segment in all.into_iter().filter(|[a, b]| a != b) {
+            let is_free = |set: u8| kept.iter().filter(|kept| kept.1 == set).all(|kept| are_free(kept.0, segment));
+            if let Some(set) = [1, 2].into_iter().find(|&set| is_free(set)) {
+                kept.push((segment, set));
+            }
+        }
+        kept
+    }
+
+    /// Lines of one set, crossed by the other set at their beginning; far from there, segments of the first set, some of which
+    /// end as near to a line as doubles can; now and then many of them in one spot.
+    fn lines_far_from_their_crossings(next: &mut impl FnMut(u64) -> u64) -> Vec<([Point; 2], u8)> {
+        let unit = |next: &mut dyn FnMut(u64) -> u64| next(1 << 40) as f64 / (1_u64 << 40) as f64;
+        let mut lines: Vec<[Point; 2]> = Vec::new();
+        for i in 0..1 + next(3) {
+            let [from, to] = [0; 2].map(|_| 0.3 * i as f64 + 0.1 + 0.2 * unit(next));
+            lines.push([Point::new(0.0, from), Point::new(2.0, to)]);
+        }
+        let across = (1..4).map(|i| {
+            let x = 0.03 * i as f64 + 0.001 * unit(next);
+            [Point::new(x, 0.0), Point::new(x + 0.01 * unit(next), 1.0)]
+        });
+        let mut kept: Vec<([Point; 2], u8)> = across.map(|segment| (segment, 2)).collect();
+        let mut all: Vec<[Point; 2]> = Vec::new();
+        for (column, row) in (0..500).map(|i| (i % 25, i / 25)) {
+            let p = Point::new(0.2 + 0.07 * f64::from(column), 1.0 + 0.05 * f64::from(row));
+            all.push([p, Point::new(p.x + 1e-3, p.y + 1e-3 * unit(next))]);
+        }
+        let is_spot = next(2) == 0;
+        for _ in 0..if is_spot { 40 } else { 1 + next(8) } {
+            let x = if is_spot { 0.3 + 0.004 * unit(next) } else { 1.0 + 0.9 * unit(next) };
+            let [a, b] = lines[if is_spot { 0 } else { next(lines.len() as u64) as usize }];
+            let y = a.y + x / 2.0 * (b.y - a.y);
+            all.extend([1.0, -1.0].map(|side| [Point::new(x, y), Point::new(x + 1e-6 * unit(next), y + 0.01 * side)]));
+        }
+        if is_spot {
+            // Some of the other set wherever a line comes.
+            kept.extend((2..40).map(|i| {
+                let p = Point::new(0.05 * f64::from(i), if i % 2 == 0 { 0.02 } else { 0.98 });
+                ([p, Point::new(p.x + 1e-3, p.y)], 2)
+            }));
+        }
+        let given = kept.len() + 500;
+        for segment in all {
+            let others = kept.iter().map(|kept| kept.0).skip(given);
+            if lines.iter().copied().chain(others).all(|other| are_free(other, segment)) {
+                kept.push((segment, 1));
+            }
+        }
+        kept.extend(lines.into_iter().map(|line| (line, 1)));
+        kept
+    }
+
+    #[test]
+    fn what_is_told_by_the_gap_of_two_sets_is_what_the_sweep_says() {
+        let (mut by_gap, mut by_sweep, mut bent) = ([0; 2], [0; 2], [0; 2]);
+        for seed in 1..4_000_u64 {
+            let next = &mut numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let kind = usize::from(seed % 8 == 0);
+            let kept = if kind == 0 { two_sets(bundles(next)) } else { lines_far_from_their_crossings(next) };
+            let (segments, sets): (Vec<[Point; 2]>, Vec<u8>) = kept.into_iter().unzip();
+            let mut graph = graph(&segments);
+            if graph.edges.len() != sets.len() {
+                continue;
+            }
+            let Ok(cuts) = Cuts::without_sweep(&graph, &sets) else { continue };
+            let mut other = graph.clone();
+            let (split_one, seen_one) = split(&mut graph, None, Some(cuts)).unwrap();
+            let (split_other, seen_other) = split(&mut other, None, None).unwrap();
+            assert_eq!((&split_one.chain, split_one.rounds), (&split_other.chain, split_other.rounds), "seed {seed}");
+            let is_by_gap = split_one.rounds == 1 && matches!(seen_one, Seen::OneRings(_));
+            by_gap[kind] += u32::from(is_by_gap);
+            by_sweep[kind] += u32::from(split_one.rounds == 1 && !is_by_gap);
+            bent[kind] += u32::from(split_one.rounds > 1);
+            assert_eq!(trace(&mut graph, seen_one).unwrap(), trace(&mut other, seen_other).unwrap(), "seed {seed}");
+        }
+        let enough = by_gap.iter().chain(&bent).all(|&count| count > 150) && by_sweep[0] > 300;
+        assert!(enough, "{by_gap:?} {by_sweep:?} {bent:?}");
+    }
+
     #[test]
     fn cuts_and_what_comes_of_them_are_those_of_the_sweep() {
         let (mut known, mut new, mut left, mut without_sweep) = (0, 0, 0, 0);
