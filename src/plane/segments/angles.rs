@@ -55,6 +55,8 @@ pub(super) fn one_rings_where(
                 2 => are_all_good &= sorted_few::<2>(at, ring, there, are_good),
                 3 => are_all_good &= sorted_few::<3>(at, ring, there, are_good),
                 4 => are_all_good &= sorted_few::<4>(at, ring, there, are_good),
+                // A place is in no direction from itself: nothing could be put in order.
+                _ if there.contains(&at) => are_all_good = false,
                 _ => {
                     sort_by(ring, &|g, h| from_below(at, to(g), to(h)).then(g.cmp(&h)));
                     let pairs = (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);

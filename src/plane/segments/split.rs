@@ -17,13 +17,14 @@
 
 use super::chains::Split;
 use super::crossed::Cuts;
-use super::graph::{Graph, Single};
+use super::graph::{Graph, Order, Single};
 use super::settled::{look_at_bent, look_within, proved_by_faces};
 use super::snap::{Plain, snap};
 use super::trace::{Seen, look};
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::left_to_right;
-use crate::plane::meet::{EventPlace, Grid, visit_intersections};
+use crate::plane::Point;
+use crate::plane::meet::{EventPlace, Gap, Grid, visit_intersections};
 use crate::topology::TooMany;
 use std::ops::ControlFlow;
 
@@ -55,17 +56,24 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
         }
         split.rounds += 1;
         let old = graph.points.len() as u32;
-        let numbers = graph.add_points(&new.iter().map(|&(p, _)| p).collect::<Vec<_>>());
-        let are_apart = graph.points.len() == old as usize + new.len();
+        // The edges of this round are no further from those of the input than the bends of all rounds together.
+        let off = new.iter().map(|&(_, off)| off).fold(0.0, f64::max);
         // The edges that cross here are bent themselves, by the rounds before.
         let bent = split.farthest;
         let sum = |off: f64| if bent > 0.0 { (bent + off).next_up() } else { off };
-        split.made.extend(numbers.iter().zip(&new).map(|(&number, &(_, off))| (number, sum(off))));
-        // The edges of this round are no further from those of the input than the bends of all rounds together.
-        let off = new.iter().map(|&(_, off)| off).fold(0.0, f64::max);
         if off > 0.0 {
             split.farthest = (split.farthest + off).next_up();
         }
+        if let Some(gap) = gap.filter(|gap| all_is_known && gap.exceeds(off))
+            && let Some((starts, half, seen)) = cut_within(graph, &cuts, &new, gap)?
+        {
+            split.made.extend((old..).zip(&new).map(|(number, &(_, off))| (number, sum(off))));
+            split.follow(starts, half);
+            return Ok((split, seen));
+        }
+        let numbers = graph.add_points(&new.iter().map(|&(p, _)| p).collect::<Vec<_>>());
+        let are_apart = graph.points.len() == old as usize + new.len();
+        split.made.extend(numbers.iter().zip(&new).map(|(&number, &(_, off))| (number, sum(off))));
         let place = |p: u32| if p < old { p } else { numbers[(p - old) as usize] };
         let (starts, pieces) = cut(graph, &cuts, place);
         // Pieces with the same ends come from edges that overlap, or from crossings that rounding has brought together.
@@ -75,13 +83,6 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
             Single::new(graph.points.len(), &pieces, |_, _| {})
         };
         graph.edges = edges;
-        let gap = gap.filter(|gap| all_is_known && are_apart && gap.exceeds(off));
-        if let Some(gap) = gap
-            && let Some(seen) = look_within(graph, gap)?
-        {
-            split.follow(starts, half);
-            return Ok((split, seen));
-        }
         let few_are_bent = all_is_known && cuts.len() < graph.edges.len() / FEW_CUTS;
         let mut is_straight = Vec::new();
         if few_are_bent {
@@ -126,6 +127,32 @@ fn find_cuts(graph: &Graph, most: usize) -> Option<Cuts> {
         if found.new.len() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     flow.is_continue().then_some(found)
+}
+
+/// Cuts the edges at points that are all new vertices: so it is where all is farther apart than the gap. Returns the pieces as
+/// [`cut`] does, by half-edge, and a look at them; nothing has happened if they do not show that.
+///
+/// Two vertices at one place would show: what has no vertex in common is farther apart than the gap before it is rounded, and
+/// neighbours have an edge without length between them.
+fn cut_within(
+    graph: &mut Graph,
+    cuts: &[(u32, u32)],
+    new: &[(Point, f64)],
+    gap: Gap,
+) -> Result<Option<(Vec<u32>, Vec<u32>, Seen)>, TooMany> {
+    let old = graph.points.len();
+    graph.points.extend(new.iter().map(|&(p, _)| Point::new(p.x + 0.0, p.y + 0.0)));
+    let (starts, pieces) = cut(graph, cuts, |p| p);
+    let Single { edges, half } = Single::as_given(pieces);
+    let whole = std::mem::replace(&mut graph.edges, edges);
+    let seen = look_within(graph, gap)?;
+    if seen.is_some() {
+        graph.order = Order::default();
+    } else {
+        graph.edges = whole;
+        graph.points.truncate(old);
+    }
+    Ok(seen.map(|seen| (starts, half, seen)))
 }
 
 /// The pieces of all edges, and where those of each edge start. A piece has two different ends.
@@ -186,7 +213,6 @@ mod tests {
     use super::super::graph::Distinct;
     use super::super::trace::trace;
     use super::*;
-    use crate::plane::Point;
     use crate::plane::sweep::tests::numbers;
 
     fn graph(segments: &[[Point; 2]]) -> Graph {
@@ -345,6 +371,23 @@ mod tests {
         }
         let enough = by_gap.iter().chain(&bent).all(|&count| count > 150) && by_sweep[0] > 300;
         assert!(enough, "{by_gap:?} {by_sweep:?} {bent:?}");
+    }
+
+    #[test]
+    fn crossings_that_are_rounded_to_a_vertex_of_many_edges_are_seen() {
+        // A fan to the right of a vertex, and a line across all of it, a quarter of a last place from the vertex.
+        let mut fan: Vec<[Point; 2]> = (0..40)
+            .map(|i| [Point::new(1.0, 1.0), Point::new(1.25, 1.0 + 0.25 * f64::from(i * 17 % 40 - 20) / 2.0)])
+            .collect();
+        fan.push([Point::new(1.0 - f64::EPSILON / 2.0, -2.0), Point::new(1.0 + f64::EPSILON, 4.0)]);
+        let mut graph = graph(&fan);
+        let mut other = graph.clone();
+        let cuts = Cuts::without_sweep(&graph, &[]).unwrap();
+        assert!(cuts.gap.is_some() && cuts.new.len() == 40);
+        let (split_one, seen_one) = split(&mut graph, None, Some(cuts)).unwrap();
+        let (split_other, seen_other) = split(&mut other, None, None).unwrap();
+        assert_eq!((&split_one.chain, split_one.rounds), (&split_other.chain, split_other.rounds));
+        assert_eq!(trace(&mut graph, seen_one).unwrap(), trace(&mut other, seen_other).unwrap());
     }
 
     #[test]
