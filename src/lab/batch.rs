@@ -259,13 +259,10 @@ impl Grader {
             let taken = take_in_unscanned(&self.lab.manifest, submission);
             prints.push(taken.as_ref().ok().and_then(|intake| given.fingerprints(&intake.graded)));
             let mut extras = Extras { place: i, optional: Vec::new(), notes: Vec::new(), similar: Vec::new() };
-            let files = match taken {
-                Ok(Intake { graded, optional, notes }) => {
-                    (extras.optional, extras.notes) = (optional, notes);
-                    Ok(graded)
-                }
-                Err(error) => Err(error),
-            };
+            let files = taken.map(|Intake { graded, optional, notes }| {
+                (extras.optional, extras.notes) = (optional, notes);
+                graded
+            });
             let same = files.as_ref().ok().map(|graded| places.entry(hasher.hash_one(graded)).or_default());
             let known = same.as_ref().and_then(|places| {
                 places.iter().copied().find(|&job| jobs[job].files.as_ref().ok() == files.as_ref().ok())
@@ -305,17 +302,14 @@ impl Grader {
         fault: &Mutex<Option<String>>,
         send: &mpsc::SyncSender<(usize, Report)>,
     ) {
-        let (intake, error) = match job.files {
-            Ok(graded) => (Some(Intake { graded, optional: Vec::new(), notes: Vec::new() }), None),
-            Err(error) => (None, Some(error)),
-        };
+        let intake = job.files.map(|graded| Intake { graded, optional: Vec::new(), notes: Vec::new() });
         let mut first: Option<Report> = None;
         for extras in job.who {
             let begin = Instant::now();
             let submission = &submissions[extras.place];
-            let mut report = match (&first, &intake, &error) {
-                (Some(first), ..) => first.clone(),
-                (None, Some(intake), _) => {
+            let mut report = match (&first, &intake) {
+                (Some(first), _) => first.clone(),
+                (None, Ok(intake)) => {
                     let report = self.grade_intake(intake, plan);
                     if report.verdict == Verdict::GraderFault && !self.options.stop.is_wished() {
                         let mut fault = lock(fault);
@@ -326,8 +320,7 @@ impl Grader {
                     }
                     report
                 }
-                (None, None, Some(error)) => self.not_taken(submission, error, plan),
-                (None, None, None) => return,
+                (None, Err(error)) => self.not_taken(submission, error, plan),
             };
             // What was ended on the way is no verdict.
             if self.options.stop.is_wished() {

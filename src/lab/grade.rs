@@ -13,6 +13,7 @@ use super::feedback;
 use super::findings::findings;
 use super::judge::{Judge, Source, Suite, ToldBy};
 use super::judged::{Needs, Ruling, Unit, Units};
+use super::lanes::in_lanes;
 use super::manifest::Test;
 use super::mutants::{self, Evidence};
 use super::plan::Plan;
@@ -25,8 +26,6 @@ use super::told;
 use super::verdict::Verdict;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// What is said of a test that was not asked any more.
@@ -89,7 +88,8 @@ pub(super) fn grade(
     all: bool,
 ) -> (Report, Signature, Evidence) {
     let begin = Instant::now();
-    let mut report = empty_report(lab, plan, program);
+    let mut report =
+        Report { lab: lab.name.clone(), seed: plan.seed, sandbox: program.sandbox(), ..Report::of(&lab.manifest) };
     let Some(judge) = lab.judge() else {
         report.message = Some(format!("this version of the kit has no cases for {}", lab.name));
         return (report, Signature::new(), Evidence::new());
@@ -205,25 +205,20 @@ fn run_all<'a>(lab: &Lab, judge: &dyn Judge, program: &dyn Program, suites: &[&'
 
 /// Suites run at the same time, until one comes to an end by time or memory; `None` for those that were not begun.
 fn run_ahead(judge: &dyn Judge, program: &dyn Program, suites: &[&Suite]) -> Vec<Option<SuiteRun>> {
-    let lanes = program.at_once().min(suites.len());
+    let length = |&number: &usize| suites[number].asked.iter().map(|asked| asked.case.steps.len()).sum::<usize>();
     // The longest first: what comes last decides when all is done.
     let mut order: Vec<usize> = (0..suites.len()).collect();
-    order
-        .sort_by_key(|&number| Reverse(suites[number].asked.iter().map(|asked| asked.case.steps.len()).sum::<usize>()));
-    let runs: Vec<Mutex<Option<SuiteRun>>> = suites.iter().map(|_| Mutex::new(None)).collect();
-    if lanes > 1 {
-        let (next, ended) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let lane = || {
-            while !ended.load(Ordering::Relaxed) {
-                let Some(&number) = order.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-                let run = run_suite(program, judge, suites[number]);
-                ended.fetch_or(run.exhausted > 0, Ordering::Relaxed);
-                *runs[number].lock().unwrap_or_else(PoisonError::into_inner) = Some(run);
-            }
-        };
-        std::thread::scope(|scope| (0..lanes).for_each(|_| drop(scope.spawn(lane))));
-    }
-    runs.into_iter().map(|run| run.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
+    order.sort_by_key(|number| Reverse(length(number)));
+    // With one lane there is nothing to gain: then each suite is run where it is due.
+    let lanes = Some(program.at_once()).filter(|&lanes| lanes > 1 && suites.len() > 1).unwrap_or_default();
+    let made = in_lanes(lanes, order.len(), |_, place| {
+        let run = run_suite(program, judge, suites[order[place]]);
+        let goes_on = run.exhausted == 0;
+        (run, goes_on)
+    });
+    let mut runs: Vec<(usize, Option<SuiteRun>)> = order.into_iter().zip(made).collect();
+    runs.sort_by_key(|(number, _)| *number);
+    runs.into_iter().map(|(_, run)| run).collect()
 }
 
 /// Whether every test of a suite needs, at once or through others, a suite that was broken off: what did not come
@@ -386,17 +381,6 @@ impl<'a> Run<'a> {
             }
         }
         evidence
-    }
-}
-
-fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
-    Report {
-        kit: env!("CARGO_PKG_VERSION").to_owned(),
-        lab: lab.name.clone(),
-        lab_version: lab.manifest.version.clone(),
-        seed: plan.seed,
-        sandbox: program.sandbox(),
-        ..Report::default()
     }
 }
 

@@ -115,6 +115,7 @@ pub struct Feature {
 }
 
 /// The cases of a lab and what is right in them.
+#[allow(unused_variables)] // what is left to the engine looks at nothing
 pub trait Judge: Sync {
     /// What the records of the lab look like.
     fn schema(&self) -> Schema {
@@ -131,14 +132,12 @@ pub trait Judge: Sync {
     /// The tests that a step is about, of those that its suite decides: a call or a picture that was answered. A call
     /// that should be refused says nothing about the steps of carrying it out. A fault counts in any case.
     fn concerns(&self, suite: &Suite, step: &Step, exchange: Option<&Exchange>) -> Vec<&'static str> {
-        let _ = (step, exchange);
         suite.tests.to_vec()
     }
 
     /// The test whose promise a fault breaks, where a suite of many calls found it: it is charged there, and not once
     /// more to what builds on it. `None` if that cannot be told.
     fn blames(&self, fault: &Fault) -> Option<&'static str> {
-        let _ = fault;
         None
     }
 
@@ -152,13 +151,11 @@ pub trait Judge: Sync {
     /// calls before it on which its structure depends. `None` if too little is known of the call to say for each
     /// feature whether it holds; a feature that has no meaning for the call does not hold.
     fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        let _ = (earlier, exchange);
         None
     }
 
     /// By what the known mistakes of a test are told apart.
     fn told_by(&self, test: &str) -> ToldBy {
-        let _ = test;
         ToldBy::Words
     }
 
@@ -172,26 +169,22 @@ pub trait Judge: Sync {
 
     /// The half-edges that a call should have left behind, in the numbers of the student's, for a picture.
     fn expected(&self, exchange: &Exchange) -> Option<Table> {
-        let _ = exchange;
         None
     }
 
     /// A picture of a failing call: before, expected, yours. Without one, half-edges are drawn as they are, with those
     /// of [`expected`](Self::expected).
     fn picture(&self, exchange: &Exchange, faults: &[&Fault]) -> Option<Picture> {
-        let _ = (exchange, faults);
         None
     }
 
     /// What a call that only reads should have returned; nothing for other calls.
     fn answer(&self, exchange: &Exchange) -> Vec<Element> {
-        let _ = exchange;
         Vec::new()
     }
 
     /// Shorter cases than a failing one that may fail in the same way, each of which a student can type.
     fn shorter(&self, case: &Case) -> Vec<Case> {
-        let _ = case;
         Vec::new()
     }
 }

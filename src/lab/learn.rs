@@ -9,7 +9,6 @@
 use super::conditions::{Calls, NEVER, When, of};
 use super::judge::Feature;
 use std::collections::BTreeSet;
-use std::fmt::Write;
 
 /// The longest conjunction, and the most of them, in the condition of a known mistake.
 const TERM: usize = 3;
@@ -43,13 +42,11 @@ impl When {
         if self.0.is_empty() {
             return NEVER.to_owned();
         }
-        let mut out = String::new();
-        for (i, &term) in self.0.iter().enumerate() {
+        let term = |&term: &u128| {
             let ids: Vec<&str> = of(term, vocabulary).map(|feature| feature.id).collect();
-            let term = if ids.is_empty() { "always".to_owned() } else { ids.join("+") };
-            let _ = write!(out, "{}{term}", if i == 0 { "" } else { "|" });
-        }
-        out
+            if ids.is_empty() { "always".to_owned() } else { ids.join("+") }
+        };
+        self.0.iter().map(term).collect::<Vec<_>>().join("|")
     }
 }
 

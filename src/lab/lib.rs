@@ -40,6 +40,7 @@ pub mod judge;
 mod judged;
 #[cfg(feature = "grade")]
 mod kit;
+mod lanes;
 #[cfg(feature = "grade")]
 mod learn;
 mod manifest;

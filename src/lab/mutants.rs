@@ -91,11 +91,8 @@ pub(super) fn names(lab: &Lab, vocabulary: &[Feature], task: u32, found: &Found)
 /// Source: FNV-1a, 64 bits, Fowler, Noll and Vo.
 pub(super) fn hash(lines: &BTreeSet<String>) -> String {
     let mut state = 0xcbf2_9ce4_8422_2325_u64;
-    for line in lines {
-        for byte in line.as_bytes() {
-            state = (state ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-        state = (state ^ u64::from(b'\n')).wrapping_mul(0x0100_0000_01b3);
+    for byte in lines.iter().flat_map(|line| line.bytes().chain([b'\n'])) {
+        state = (state ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     }
     format!("{state:016x}")
 }

@@ -18,6 +18,7 @@ use super::Barrier;
 pub(crate) use clock::Clock;
 pub use plain::Driver;
 pub(crate) use plain::{limited, run_within};
+use serde::{Deserialize, Serialize};
 
 /// Something that answers cases. Every call starts it anew.
 pub trait Program: Sync {
@@ -73,7 +74,7 @@ pub enum End {
 }
 
 /// What a program may use.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Limits {
     /// The deadline in seconds: of the clock on the wall, which goes slower, to a quarter, where more programs want to
     /// run than the machine has processors.

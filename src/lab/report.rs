@@ -55,15 +55,14 @@ impl Report {
     /// The report on a submission of which no test could run, and why.
     #[must_use]
     pub fn untested(lab: &Manifest, verdict: Verdict, message: impl Into<String>) -> Self {
-        Self {
-            kit: env!("CARGO_PKG_VERSION").to_owned(),
-            lab: lab.name.clone(),
-            lab_version: lab.version.clone(),
-            verdict,
-            message: Some(message.into()),
-            tests: lab.tests.iter().map(|test| TestResult::new(test, verdict)).collect(),
-            ..Self::default()
-        }
+        let tests = lab.tests.iter().map(|test| TestResult::new(test, verdict)).collect();
+        Self { verdict, message: Some(message.into()), tests, ..Self::of(lab) }
+    }
+
+    /// A report on a lab that says nothing yet.
+    pub(super) fn of(lab: &Manifest) -> Self {
+        let (lab, lab_version) = (lab.name.clone(), lab.version.clone());
+        Self { kit: env!("CARGO_PKG_VERSION").to_owned(), lab, lab_version, ..Self::default() }
     }
 
     /// The same without what needs room: pictures, scripts, findings and what was printed. All that the tables of a

@@ -5,12 +5,13 @@
 
 use super::program::limited;
 use super::{Limits, Ran};
+use serde::{Deserialize, Serialize};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What a program in the sandbox may do with the file system.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct View {
     /// Files and folders that it may read and execute.
     pub(crate) run: Vec<PathBuf>,
@@ -21,7 +22,7 @@ pub(crate) struct View {
 }
 
 /// Something to be run in the sandbox.
-#[derive(Clone, PartialEq, Debug, Default)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Task {
     /// The program.
     pub(crate) program: PathBuf,
@@ -38,19 +39,18 @@ pub(crate) struct Task {
 }
 
 /// Where a submission is built and run.
+#[allow(unused_variables)] // on the own machine nothing is handed over
 pub(crate) trait Runner {
     /// Runs a task to its end, and to the end of whatever it started.
     fn run(&self, task: &Task, input: &str) -> Ran;
 
     /// Gives a file or folder to whoever runs there, so that it may write there: nothing to do for the user itself.
     fn give(&self, path: &Path) -> io::Result<()> {
-        let _ = path;
         Ok(())
     }
 
     /// Lets whoever runs there into a folder, without write access.
     fn let_in(&self, path: &Path) -> io::Result<()> {
-        let _ = path;
         Ok(())
     }
 

@@ -11,6 +11,7 @@
 
 use super::grade::{RandomCases, grade, suites};
 use super::judge::Suite;
+use super::lanes::in_lanes;
 use super::mutants::with_conditions;
 use super::signatures::{Signature, Signatures};
 use super::student::{Kit, student_files};
@@ -20,8 +21,6 @@ use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// The seed of every verification: two of them give the same bytes.
 const SEED: u64 = 4;
@@ -324,30 +323,17 @@ impl Asked {
 /// Builds and grades all variants, as many at a time as there are cores; the first ones only if the solution cannot be
 /// built.
 fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Result<Vec<Result<Outcome, String>>> {
-    let next = AtomicUsize::new(0);
-    let outcomes: Mutex<BTreeMap<usize, io::Result<Result<Outcome, String>>>> = Mutex::default();
-    // Where the solution cannot be built, nothing that is made of it can.
-    let ended = AtomicBool::new(false);
-    let asked = &Asked::of(lab);
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for worker in 0..workers.min(variants.len()) {
-            let (next, outcomes, ended) = (&next, &outcomes, &ended);
-            scope.spawn(move || {
-                let folder = room.join(worker.to_string());
-                while !ended.load(Ordering::Relaxed) {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    let Some((variant, text)) = variants.get(i) else { break };
-                    let program = room.join(format!("program-{i}{}", std::env::consts::EXE_SUFFIX));
-                    let outcome = grade_variant(lab, asked, &folder, program, variant, text);
-                    let is_lost = matches!(variant, Variant::Solution) && matches!(outcome, Ok(Err(_)));
-                    ended.fetch_or(is_lost, Ordering::Relaxed);
-                    outcomes.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(i, outcome);
-                }
-            });
-        }
+    let asked = Asked::of(lab);
+    let lanes = std::thread::available_parallelism().map_or(1, usize::from);
+    let outcomes = in_lanes(lanes, variants.len(), |lane, i| {
+        let (variant, text) = &variants[i];
+        let program = room.join(format!("program-{i}{}", std::env::consts::EXE_SUFFIX));
+        let outcome = grade_variant(lab, &asked, &room.join(lane.to_string()), program, variant, text);
+        // Where the solution cannot be built, nothing that is made of it can.
+        let is_lost = matches!(variant, Variant::Solution) && matches!(outcome, Ok(Err(_)));
+        (outcome, !is_lost)
     });
-    outcomes.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).into_values().collect()
+    outcomes.into_iter().flatten().collect()
 }
 
 fn grade_variant(

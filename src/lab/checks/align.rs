@@ -80,10 +80,6 @@ impl Content {
         id.map_or(Self::Unset, |id| Self::To(id.into()))
     }
 
-    fn at(position: Option<[f64; 2]>) -> Self {
-        position.map_or(Self::Unset, Self::At)
-    }
-
     /// What stands in a field of a structure; nothing if there is no such element.
     #[must_use]
     pub fn of(table: &Table, owner: Option<Element>, field: Field) -> Self {
@@ -100,7 +96,7 @@ impl Content {
                 }
             }
             (Some(Element::Vertex(v)), Field::Outgoing) => Self::to(vertex_row(table, v).outgoing),
-            (Some(Element::Vertex(v)), Field::Position) => Self::at(vertex_row(table, v).position),
+            (Some(Element::Vertex(v)), Field::Position) => vertex_row(table, v).position.map_or(Self::Unset, Self::At),
             (Some(Element::Face(f)), Field::Boundary) => Self::to(table.half_edge(f)),
             (None, Field::OuterFace) => Self::to(table.outer_face),
             _ => Self::Unset,
@@ -174,39 +170,34 @@ pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
 #[must_use]
 pub fn differences(expected: &Table, yours: &Table) -> Vec<Difference> {
     let mut out = Vec::new();
-    let mut add = |owner: Option<Element>, field, found: Content, expected: Content| {
+    let mut add = |owner: Option<Element>, field| {
+        let [found, expected] = [yours, expected].map(|table| Content::of(table, owner, field));
         if found != expected {
             out.push(Difference { owner, field, found, expected });
         }
     };
     for i in 0..expected.half_edges.len().max(yours.half_edges.len()) {
         let h = HalfEdgeId::new(i as u32);
-        let [e, y] = [expected, yours].map(|table| half_edge_row(table, h));
-        let owner = Some(h.into());
-        add(owner, Field::Origin, Content::to(y.origin), Content::to(e.origin));
-        add(owner, Field::Twin, Content::to(y.twin), Content::to(e.twin));
-        add(owner, Field::Next, Content::to(y.next), Content::to(e.next));
-        add(owner, Field::Prev, Content::to(y.prev), Content::to(e.prev));
-        add(owner, Field::Face, Content::to(y.face), Content::to(e.face));
+        for field in [Field::Origin, Field::Twin, Field::Next, Field::Prev, Field::Face] {
+            add(Some(h.into()), field);
+        }
     }
     for i in 0..expected.vertices.len().max(yours.vertices.len()) {
         let v = VertexId::new(i as u32);
-        let [e, y] = [expected, yours].map(|table| vertex_row(table, v));
-        add(Some(v.into()), Field::Position, Content::at(y.position), Content::at(e.position));
-        let stands_for = |h: HalfEdgeId| expected.origin(h) == Some(v);
-        if !y.outgoing.map_or(e.outgoing.is_none(), stands_for) {
-            add(Some(v.into()), Field::Outgoing, Content::to(y.outgoing), Content::to(e.outgoing));
+        add(Some(v.into()), Field::Position);
+        let [e, y] = [expected, yours].map(|table| vertex_row(table, v).outgoing);
+        if !y.map_or(e.is_none(), |h| expected.origin(h) == Some(v)) {
+            add(Some(v.into()), Field::Outgoing);
         }
     }
     for i in 0..expected.faces.len().max(yours.faces.len()) {
         let f = FaceId::new(i as u32);
         let [e, y] = [expected, yours].map(|table| table.half_edge(f));
-        let stands_for = |h: HalfEdgeId| expected.face(h) == Some(f);
-        if !y.map_or(e.is_none(), stands_for) {
-            add(Some(f.into()), Field::Boundary, Content::to(y), Content::to(e));
+        if !y.map_or(e.is_none(), |h| expected.face(h) == Some(f)) {
+            add(Some(f.into()), Field::Boundary);
         }
     }
-    add(None, Field::OuterFace, Content::to(yours.outer_face), Content::to(expected.outer_face));
+    add(None, Field::OuterFace);
     out
 }
 

@@ -56,7 +56,7 @@ static TEXTS: Texts = dcel_kit::texts!(
     ],
     files: [
         "LICENSE-APACHE", "LICENSE-MIT", "answers.rs", "batch.rs", "bug.rs", "cache.rs", "conditions.rs", "export.rs",
-        "fault.rs", "features.rs", "files.rs", "findings.rs", "grade.rs", "judge.rs", "judged.rs", "learn.rs", "lib.rs",
+        "fault.rs", "features.rs", "files.rs", "findings.rs", "grade.rs", "judge.rs", "judged.rs", "lanes.rs", "learn.rs", "lib.rs",
         "manifest.rs", "many.rs", "markers.rs", "mutants.rs", "own_folder.rs", "own_lab.rs", "pictures.rs", "plan.rs",
         "points.rs", "program.rs", "report.rs", "run.rs", "signatures.rs", "stop.rs", "student.rs", "task.rs",
         "the_lab.rs", "told.rs", "toml_file.rs", "typed.rs", "vendor.rs", "verdict.rs", "verify.rs",

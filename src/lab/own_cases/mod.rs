@@ -19,12 +19,11 @@ mod cases;
 
 pub use cases::{OwnCaseError, OwnCases};
 
+use crate::lanes::in_lanes;
 use crate::verify::compile;
 use crate::{Driver, Lab, OwnTests};
 use std::io;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::path::Path;
 
 /// The file of a student that holds them.
 pub const OWN_CASES: &str = "tests/own.txt";
@@ -59,29 +58,14 @@ impl KnownMistakes {
         for bug in &lab.bugs {
             texts.push(bug.apply(solution).map_err(io::Error::other)?);
         }
-        let next = AtomicUsize::new(0);
-        let built_so_far: Mutex<Vec<(usize, io::Result<PathBuf>)>> = Mutex::default();
-        let workers = std::thread::available_parallelism().map_or(1, usize::from).min(texts.len());
-        std::thread::scope(|scope| {
-            for worker in 0..workers {
-                let (next, texts, built_so_far) = (&next, &texts, &built_so_far);
-                scope.spawn(move || {
-                    let tree = room.join(format!("tree-{worker}"));
-                    loop {
-                        let i = next.fetch_add(1, Ordering::Relaxed);
-                        let Some(text) = texts.get(i) else { break };
-                        let program = room.join(format!("known-{i}{}", std::env::consts::EXE_SUFFIX));
-                        let done = compile(lab, &tree, &program, text, false)
-                            .and_then(|compiled| compiled.map(|()| program).map_err(io::Error::other));
-                        built_so_far.lock().unwrap_or_else(PoisonError::into_inner).push((i, done));
-                    }
-                });
-            }
+        let lanes = std::thread::available_parallelism().map_or(1, usize::from);
+        let made = in_lanes(lanes, texts.len(), |lane, i| {
+            let program = room.join(format!("known-{i}{}", std::env::consts::EXE_SUFFIX));
+            let compiled = compile(lab, &room.join(format!("tree-{lane}")), &program, &texts[i], false);
+            let made = compiled.and_then(|compiled| compiled.map_err(io::Error::other));
+            (made.map(|()| Driver::new(program, lab.manifest.limits)), true)
         });
-        let mut all = built_so_far.into_inner().unwrap_or_else(PoisonError::into_inner);
-        all.sort_by_key(|(i, _)| *i);
-        let drivers = all.into_iter().map(|(_, program)| Ok(Driver::new(program?, lab.manifest.limits)));
-        let mut drivers = drivers.collect::<io::Result<Vec<_>>>()?.into_iter();
+        let mut drivers = made.into_iter().flatten().collect::<io::Result<Vec<_>>>()?.into_iter();
         let solution = drivers.next().ok_or_else(|| io::Error::other("nothing was built"))?;
         Ok(Self { solution, mistakes: drivers.collect() })
     }

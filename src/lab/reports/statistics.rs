@@ -38,9 +38,8 @@ impl Row<'_> {
         1.0 - self.earned.as_f64() / self.most.as_f64().max(f64::MIN_POSITIVE)
     }
 
-    fn verdicts(&self) -> String {
-        let words = self.verdicts.iter().map(|(verdict, count)| format!("{verdict} {count}"));
-        words.collect::<Vec<_>>().join("; ")
+    fn most(&self) -> f64 {
+        self.most.as_f64() / self.graded.max(1) as f64
     }
 }
 
@@ -76,38 +75,29 @@ fn row_of<'a>(name: &str, reports: &'a [Report]) -> Row<'a> {
     row
 }
 
+/// The columns of a file, each with what a test has there.
+const COLUMNS: [(&str, fn(&Row) -> String); 11] = [
+    ("test", |row| row.name.to_owned()),
+    ("title", |row| row.title.to_owned()),
+    ("task", |row| row.task.to_string()),
+    ("submissions", |row| row.graded.to_string()),
+    ("passed", |row| row.passed.to_string()),
+    ("pass_share", |row| format!("{:.3}", row.share())),
+    ("mean_points", |row| format!("{:.3}", row.mean())),
+    ("max_points", |row| format!("{:.3}", row.most())),
+    ("difficulty", |row| format!("{:.3}", row.difficulty())),
+    ("verdicts", |row| {
+        row.verdicts.iter().map(|(verdict, count)| format!("{verdict} {count}")).collect::<Vec<_>>().join("; ")
+    }),
+    ("known_mistakes", |row| {
+        row.mistakes.iter().map(|(name, count)| format!("{count} x {name}")).collect::<Vec<_>>().join("; ")
+    }),
+];
+
 /// A row for each test.
 pub(super) fn write(reports: &[Report]) -> String {
-    let row = |row: Row| {
-        let mistakes: Vec<String> = row.mistakes.iter().map(|(name, count)| format!("{count} x {name}")).collect();
-        vec![
-            row.name.to_owned(),
-            row.title.to_owned(),
-            row.task.to_string(),
-            row.graded.to_string(),
-            row.passed.to_string(),
-            format!("{:.3}", row.share()),
-            format!("{:.3}", row.mean()),
-            format!("{:.3}", row.most.as_f64() / row.graded.max(1) as f64),
-            format!("{:.3}", row.difficulty()),
-            row.verdicts(),
-            mistakes.join("; "),
-        ]
-    };
-    let head = [
-        "test",
-        "title",
-        "task",
-        "submissions",
-        "passed",
-        "pass_share",
-        "mean_points",
-        "max_points",
-        "difficulty",
-        "verdicts",
-        "known_mistakes",
-    ];
-    rows(&head, table(reports).into_iter().map(row).collect())
+    let row = |row: &Row| COLUMNS.iter().map(|(_, cell)| cell(row)).collect();
+    rows(&COLUMNS.map(|(name, _)| name), table(reports).iter().map(row).collect())
 }
 
 /// The same as a section of the page of a class.
@@ -122,7 +112,6 @@ pub(super) fn section(out: &mut String, reports: &[Report]) {
          </thead>\n<tbody>\n"
     );
     for row in &table {
-        let most = row.most.as_f64() / row.graded.max(1) as f64;
         let mistakes: Vec<String> =
             row.mistakes.iter().map(|(name, count)| format!("{count} × {}", escaped(name))).collect();
         let _ = writeln!(
@@ -133,7 +122,7 @@ pub(super) fn section(out: &mut String, reports: &[Report]) {
             row.graded,
             row.share() * 100.0,
             row.mean(),
-            (most * 1000.0).round() / 1000.0,
+            (row.most() * 1000.0).round() / 1000.0,
             row.difficulty(),
             mistakes.join("<br>"),
         );

@@ -1,6 +1,7 @@
 //! The barriers themselves: what a step of the launcher does to itself. All of it lasts, and is handed down.
 
-use super::spec::{Files, Spec};
+use super::Limits;
+use super::spec::Files;
 use landlock::{
     ABI, Access, AccessFs, AccessNet, CompatLevel, Compatible, PathBeneath, PathFd, Ruleset, RulesetAttr,
     RulesetCreatedAttr, RulesetStatus, Scope,
@@ -102,14 +103,14 @@ pub(super) fn only_files(files: &Files) -> Result<(), String> {
 }
 
 /// Sets the system's limits; no process can raise them again.
-pub(super) fn limits(spec: &Spec) -> Result<(), String> {
+pub(super) fn limits(limits: &Limits) -> Result<(), String> {
     // One second more kills for good: the first signal can be caught.
-    let processor = (Resource::RLIMIT_CPU, spec.cpu_seconds, spec.cpu_seconds.saturating_add(1));
+    let processor = (Resource::RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds.saturating_add(1));
     let rest = [
-        (Resource::RLIMIT_AS, spec.memory),
-        (Resource::RLIMIT_FSIZE, spec.file_size),
-        (Resource::RLIMIT_NOFILE, spec.open_files),
-        (Resource::RLIMIT_NPROC, spec.processes),
+        (Resource::RLIMIT_AS, limits.memory_mb << 20),
+        (Resource::RLIMIT_FSIZE, limits.file_kb << 10),
+        (Resource::RLIMIT_NOFILE, limits.files),
+        (Resource::RLIMIT_NPROC, limits.processes),
         (Resource::RLIMIT_STACK, 8 << 20),
         (Resource::RLIMIT_CORE, 0),
         (Resource::RLIMIT_MEMLOCK, 0),

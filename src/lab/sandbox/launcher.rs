@@ -10,7 +10,7 @@
 
 use super::processes::{descendants, processes};
 use super::spec::{INSIDE, Outcome, Spec, Step, VARIABLE, WORD};
-use super::{confine, inside, root};
+use super::{Task, confine, inside, root};
 use crate::program::Clock;
 use nix::errno::Errno;
 use nix::sys::prctl;
@@ -97,7 +97,8 @@ fn watch(spec: &Spec) -> Result<Outcome, String> {
     prctl::set_child_subreaper(true).map_err(|e| format!("subreaper: {e}"))?;
     let guard = getppid();
     let mut child = next(spec, Step::Enter)?.spawn().map_err(|e| format!("the program does not start: {e}"))?;
-    let outcome = wait_for(&mut child, Duration::try_from_secs_f64(spec.seconds).unwrap_or(Duration::MAX), guard);
+    let outcome =
+        wait_for(&mut child, Duration::try_from_secs_f64(spec.task.limits.seconds).unwrap_or(Duration::MAX), guard);
     if !end_all(&mut child, spec.namespaces) {
         return Err("something that the program left behind cannot be ended".to_owned());
     }
@@ -156,17 +157,14 @@ fn enter(spec: &Spec) -> Result<Outcome, String> {
         confine::leave_rights(spec.inside)?;
     }
     dies_with_parent()?;
-    std::env::set_current_dir(&spec.folder).map_err(|e| format!("{}: {e}", spec.folder.display()))?;
+    let Task { program, args, env, folder, limits, .. } = &spec.task;
+    std::env::set_current_dir(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     if spec.own_files {
         confine::only_files(&spec.files)?;
     }
-    confine::limits(spec)?;
-    let error = Command::new(&spec.program)
-        .args(&spec.args)
-        .env_clear()
-        .envs(spec.env.iter().map(|(name, value)| (name, value)))
-        .exec();
-    Err(format!("{}: {error}", spec.program.display()))
+    confine::limits(limits)?;
+    let error = Command::new(program).args(args).env_clear().envs(env.iter().map(|(name, value)| (name, value))).exec();
+    Err(format!("{}: {error}", program.display()))
 }
 
 /// Ends everything of the spec's user. A signal to all reaches them at one moment, so nothing can fork away from it.

@@ -86,15 +86,14 @@ impl Resident {
     }
 
     fn spec(&self, task: &Task, token: &str) -> Spec {
-        let limits = &task.limits;
         let up = self.sandbox.up;
+        // In a namespace of users the program is the first that is counted.
+        let more = if up.namespaces { 1 } else { LAUNCHERS } + self.already_running();
+        let limits = Limits { processes: task.limits.processes + more, ..task.limits };
         Spec {
             step: Step::Guard,
             token: token.to_owned(),
-            program: task.program.clone(),
-            args: task.args.clone(),
-            env: task.env.clone(),
-            folder: task.folder.clone(),
+            task: Task { limits, ..task.clone() },
             user: self.user(),
             namespaces: up.namespaces,
             inside: match self.user().unwrap_or(nix::unistd::geteuid().as_raw()) {
@@ -104,13 +103,6 @@ impl Resident {
             hidden: if up.namespaces { self.sandbox.hidden.clone() } else { Vec::new() },
             files: if up.namespaces || up.own_files { files(&task.view) } else { Files::default() },
             own_files: up.own_files,
-            seconds: limits.seconds,
-            cpu_seconds: limits.cpu_seconds,
-            memory: limits.memory_mb << 20,
-            file_size: limits.file_kb << 10,
-            open_files: limits.files,
-            // In a namespace of users the program is the first that is counted.
-            processes: limits.processes + if up.namespaces { 1 } else { LAUNCHERS } + self.already_running(),
         }
     }
 

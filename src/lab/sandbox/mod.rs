@@ -161,7 +161,11 @@ impl Sandbox {
         let itself = || std::env::current_exe().unwrap_or_default();
         let launcher = launcher.map_or_else(itself, Path::to_path_buf);
         let (up, said) = trials::probe(&launcher, choice);
-        Self { launcher, up, said, hidden: Vec::new(), stop: Stop::new() }
+        Self::of(&launcher, up, said)
+    }
+
+    fn of(launcher: &Path, up: SandboxChoice, said: Vec<Barrier>) -> Self {
+        Self { launcher: launcher.to_path_buf(), up, said, hidden: Vec::new(), stop: Stop::new() }
     }
 
     /// The same barriers, and these things are to be out of reach. What came of trying to reach them from inside, in the

@@ -109,13 +109,7 @@ impl Trial {
 pub(super) fn probe(launcher: &Path, choice: SandboxChoice) -> (SandboxChoice, Vec<Barrier>) {
     let none = SandboxChoice { own_user: false, namespaces: false, own_files: false };
     let attempt_now = |up: SandboxChoice| {
-        let sandbox = Sandbox {
-            launcher: launcher.to_path_buf(),
-            up,
-            said: Vec::new(),
-            hidden: Vec::new(),
-            stop: super::Stop::new(),
-        };
+        let sandbox = Sandbox::of(launcher, up, Vec::new());
         let resident = Resident::new(&sandbox).map_err(|error| error.to_string())?;
         trial(&resident, View::default(), &[])
     };

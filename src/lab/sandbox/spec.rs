@@ -10,6 +10,7 @@
 //! The program cannot forge the last line: the token is drawn anew for each run and is gone from the environment
 //! before the program starts. All it can do with such a code is to lose.
 
+use super::Task;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -44,10 +45,8 @@ pub(super) struct Spec {
     pub(super) step: Step,
     /// Marks a line of stderr as the launcher's own.
     pub(super) token: String,
-    pub(super) program: PathBuf,
-    pub(super) args: Vec<String>,
-    pub(super) env: Vec<(String, String)>,
-    pub(super) folder: PathBuf,
+    /// What is to be run; its limits count what the launcher needs, too.
+    pub(super) task: Task,
     pub(super) user: Option<u32>,
     pub(super) namespaces: bool,
     /// The number that the user has within the namespaces; never that of root.
@@ -58,12 +57,6 @@ pub(super) struct Spec {
     pub(super) files: Files,
     /// Whether the kernel checks every file that is opened.
     pub(super) own_files: bool,
-    pub(super) seconds: f64,
-    pub(super) cpu_seconds: u64,
-    pub(super) memory: u64,
-    pub(super) file_size: u64,
-    pub(super) open_files: u64,
-    pub(super) processes: u64,
 }
 
 /// What may be seen of the file system.
