@@ -45,6 +45,32 @@ pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
     table
 }
 
+/// The corners of n times m quads on a torus, row by row.
+#[must_use]
+pub fn torus(n: u32, m: u32) -> Vec<[u32; 4]> {
+    let at = |i: u32, j: u32| i % n * m + j % m;
+    let cells = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
+    cells.map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]).collect()
+}
+
+/// The half-edges of triangles: the ends of each, and the sides of each triangle. The k-th edge that is stated has h(2k),
+/// on the side that states it first, and h(2k + 1).
+#[must_use]
+pub fn sides_of(triangles: &[[usize; 3]]) -> (Vec<[usize; 2]>, Vec<[usize; 3]>) {
+    let mut ends: Vec<[usize; 2]> = Vec::new();
+    let mut known: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    let mut side = |[from, to]: [usize; 2]| {
+        let h = *known.entry([from, to]).or_insert(ends.len());
+        if h == ends.len() {
+            known.insert([to, from], h + 1);
+            ends.extend([[from, to], [to, from]]);
+        }
+        h
+    };
+    let sides = triangles.iter().map(|&[a, b, c]| [[a, b], [b, c], [c, a]].map(&mut side)).collect();
+    (ends, sides)
+}
+
 /// The row of a half-edge, to be changed.
 pub fn row_mut(table: &mut Table, h: HalfEdgeId) -> Option<&mut HalfEdgeRow> {
     table.half_edges.get_mut(h.index())?.as_mut()

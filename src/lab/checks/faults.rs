@@ -1,6 +1,7 @@
 //! Collecting what is wrong with a call.
 
 use crate::fault::{Exchange, Fault, FaultKind};
+use crate::protocol::{CallEnd, Value};
 use dcel_kit::{Element, HalfEdgeId};
 use std::fmt::Display;
 
@@ -11,9 +12,21 @@ pub struct Faults<'a> {
 }
 
 impl<'a> Faults<'a> {
-    /// Nothing yet.
-    pub fn of(exchange: &'a Exchange<'a>) -> Self {
-        Self { exchange, out: Vec::new() }
+    /// All that a judge finds; it gives up where nothing more can be said.
+    pub fn found(exchange: &'a Exchange<'a>, judge: impl FnOnce(&mut Self) -> Option<()>) -> Vec<Fault> {
+        let mut faults = Self { exchange, out: Vec::new() };
+        judge(&mut faults);
+        faults.out
+    }
+
+    /// What a call returned. That it did not is charged to these tests.
+    pub fn returned<'e>(&mut self, end: &'e CallEnd, tests: &[&'static str]) -> Option<&'e [Value]> {
+        if let CallEnd::Returned(values) = end {
+            return Some(values);
+        }
+        let kind = FaultKind::of_end(end)?;
+        tests.iter().for_each(|test| self.add(test, kind.clone(), "end", &end.words(), &[]));
+        None
     }
 
     /// Something is wrong; the words follow the call.
@@ -44,11 +57,6 @@ impl<'a> Faults<'a> {
             let words = format!("{h}.{name} is {}, expected {}", named(found), named(expected));
             self.wrong(test, rule, &words, &[h.into()]);
         }
-    }
-
-    /// All of it.
-    pub fn all(self) -> Vec<Fault> {
-        self.out
     }
 }
 

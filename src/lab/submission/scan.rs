@@ -102,7 +102,7 @@ pub fn scan(text: &str) -> Result<(), ScanError> {
     })?;
     let mut scan = Scan { found: Vec::new(), has_macros: false };
     let tokens = scan.tokens(stream, 0);
-    scan.has_macros = mentions(&tokens, "macro_rules");
+    scan.has_macros = mentions(&tokens, &|token| token.name() == Some("macro_rules"));
     scan.walk(&tokens, Around::default());
     scan.found.sort();
     scan.found.dedup();
@@ -137,12 +137,9 @@ impl Token {
     }
 }
 
-fn mentions(tokens: &[Token], word: &str) -> bool {
-    tokens.iter().any(|token| match token {
-        Token::Name(name, _) => name == word,
-        Token::Group(_, inner, _) => mentions(inner, word),
-        _ => false,
-    })
+/// Whether there is such a token among these, however deep.
+fn mentions(tokens: &[Token], is_it: &dyn Fn(&Token) -> bool) -> bool {
+    tokens.iter().any(|token| is_it(token) || matches!(token, Token::Group(_, inner, _) if mentions(inner, is_it)))
 }
 
 /// Where a token stands.
@@ -280,13 +277,10 @@ impl Scan {
                     self.path(part, so_far, *here, in_macro);
                 }
             }
-            Some(Token::Mark('*', _)) if so_far.len() == 1 => {
-                self.refuse(place, format!("`{root}::*` brings in too much: name what you use"));
-            }
             Some(Token::Mark('*', _)) => {
-                let prefix = so_far.join("::");
-                if FUNCTIONS.iter().any(|(module, _)| so_far.len() == 2 && so_far[1] == *module) {
-                    self.refuse(place, format!("`{prefix}::*` brings in too much: name what you use"));
+                let is_function_of = |(module, _): &(&str, &str)| so_far.len() == 2 && so_far[1] == *module;
+                if so_far.len() == 1 || FUNCTIONS.iter().any(is_function_of) {
+                    self.refuse(place, format!("`{}::*` brings in too much: name what you use", so_far.join("::")));
                 }
             }
             Some(Token::Mark('$', _)) => self.put_together(&root, place),
@@ -325,7 +319,7 @@ impl Scan {
             return;
         };
         let head = inner.first().and_then(Token::name).unwrap_or_default();
-        if mentions_mark(inner, '$') {
+        if mentions(inner, &|token| token.is('$')) {
             self.refuse(*place, "a macro puts an attribute together: write the attribute in full where it is used");
         } else if of_the_file && !OF_THE_FILE.contains(&head) {
             self.refuse(*place, format!("`#![{head}]` is not for this lab: it changes how the whole is compiled"));
@@ -367,13 +361,6 @@ fn beyond(name: &str, called: bool) -> String {
 /// `path = ...`
 fn sets_path(tokens: &[Token]) -> bool {
     tokens.first().and_then(Token::name) == Some("path") && tokens.get(1).is_some_and(|t| t.is('='))
-}
-
-fn mentions_mark(tokens: &[Token], mark: char) -> bool {
-    tokens.iter().any(|token| match token {
-        Token::Group(_, inner, _) => mentions_mark(inner, mark),
-        token => token.is(mark),
-    })
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use crate::cases::random::Random;
 use crate::fault::{Fault, FaultKind, answered, exchanges};
 use crate::many::{self, too_many_reads};
 use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Pattern, Reply, Start, Step, Value, grouped};
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 
 /// The cells of the large triangulation in a row, and the rows.
 const CELLS: u32 = 128;
@@ -26,20 +26,17 @@ const READS_OF_A_HALF_EDGE: u64 = 100;
 /// The radius of a circle with 324 points of whole coordinates.
 const RADIUS: i64 = 32_045;
 
-fn large() -> Start {
-    static MADE: OnceLock<Start> = OnceLock::new();
-    MADE.get_or_init(|| slanted(CELLS, CELLS)).clone()
-}
+static SLANTED: LazyLock<Start> = LazyLock::new(|| slanted(CELLS, CELLS));
 
 /// Questions about edges of the large triangulation: single ones at large numbers, then many.
 pub(super) fn questions() -> Case {
-    many::questions("is_legal.large", large(), "is_legal", ["h65538", "h65537", "h96002", "h98815"], BUDGET)
+    many::questions("is_legal.large", SLANTED.clone(), "is_legal", ["h65538", "h65537", "h96002", "h98815"], BUDGET)
 }
 
 /// Flips of long diagonals of the large triangulation: two are looked at closely, of the others only the reads.
 pub(super) fn flips() -> Case {
     let call = |cell| Step::call("flip", [format!("h{}", 6 * cell + 2)]);
-    many::looked_at("flip.large", large(), [16_000, 11_000, 3_000, 100].map(call))
+    many::looked_at("flip.large", SLANTED.clone(), [16_000, 11_000, 3_000, 100].map(call))
 }
 
 /// Triangulations in which many flips are due.
@@ -53,7 +50,7 @@ pub(super) fn delaunify() -> Vec<Case> {
         let case = Case::new(format!("delaunify_large.wave.{i}"), start).step(Step::Dump);
         all.push(case.step(Step::of_line("delaunify")).step(Step::Reads).step(Step::Dump));
     }
-    let case = Case::new("delaunify_large.slanted", large());
+    let case = Case::new("delaunify_large.slanted", SLANTED.clone());
     all.push(case.step(Step::of_line("count_flips")).step(Step::Reads).step(Step::of_line("summary")));
     all
 }
@@ -163,7 +160,7 @@ mod tests {
     fn every_long_diagonal_is_due_and_a_wave_needs_a_flip_for_each_corner() {
         let table = slanted_mesh(CELLS, CELLS).table();
         assert_eq!(illegal(&table).count() / 2, (CELLS * CELLS) as usize);
-        assert_eq!(large().half_edges().unwrap().half_edges.len(), 98_816);
+        assert_eq!(SLANTED.half_edges().unwrap().half_edges.len(), 98_816);
         let mut table: Table = wave("wave", 65, false).table();
         let mut flips = 0;
         while let Some(h) = due(&table) {

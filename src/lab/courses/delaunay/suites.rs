@@ -99,8 +99,30 @@ impl Judge for Delaunay {
         if exchange.function == "flip" { flip::expected(exchange) } else { None }
     }
 
+    /// The same of two triangles only: each two of the case that have an edge in common.
     fn shorter(&self, case: &Case) -> Vec<Case> {
-        shorter(case)
+        let Some(call) = case.steps.iter().find(|step| matches!(step, Step::Call { .. })) else { return Vec::new() };
+        let Step::Call { function, .. } = call else { return Vec::new() };
+        let Some((points, corners)) = stated(&case.start).filter(|(_, corners)| corners.len() > 2) else {
+            return Vec::new();
+        };
+        let mut all = Vec::new();
+        for (i, one) in corners.iter().enumerate() {
+            for other in &corners[i + 1..] {
+                let shared = (0..3).find(|&k| other.contains(&one[k]) && other.contains(&one[(k + 1) % 3]));
+                let (Some(k), Some(&d)) = (shared, other.iter().find(|v| !one.contains(v))) else { continue };
+                let [a, b, c] = [0, 1, 2].map(|j| one[(k + j) % 3]);
+                let places = [a, b, c, d].map(|v| points[v as usize]);
+                let start = crate::cases::starts::triangles(&places, &[[0, 1, 2], [1, 0, 3]]);
+                let of = |step: Step| Case::new(case.name.clone(), start.clone()).step(Step::Dump).step(step);
+                match function.as_str() {
+                    "delaunify" => all.push(of(call.clone()).step(Step::Dump)),
+                    "smallest_angle" => all.push(of(call.clone())),
+                    _ => all.extend(["h0", "h1"].map(|h| of(Step::call(function, [h])))),
+                }
+            }
+        }
+        all
     }
 }
 
@@ -177,32 +199,6 @@ fn whole(function: &str, mesh: &Mesh, order: &mut Random) -> Case {
     if function == "delaunify" { case.step(Step::Dump) } else { case }
 }
 
-/// The same of two triangles only: each two of the case that have an edge in common.
-fn shorter(case: &Case) -> Vec<Case> {
-    let Some(call) = case.steps.iter().find(|step| matches!(step, Step::Call { .. })) else { return Vec::new() };
-    let Step::Call { function, .. } = call else { return Vec::new() };
-    let Some((points, corners)) = stated(&case.start).filter(|(_, corners)| corners.len() > 2) else {
-        return Vec::new();
-    };
-    let mut all = Vec::new();
-    for (i, one) in corners.iter().enumerate() {
-        for other in &corners[i + 1..] {
-            let shared = (0..3).find(|&k| other.contains(&one[k]) && other.contains(&one[(k + 1) % 3]));
-            let (Some(k), Some(&d)) = (shared, other.iter().find(|v| !one.contains(v))) else { continue };
-            let [a, b, c] = [0, 1, 2].map(|j| one[(k + j) % 3]);
-            let places = [a, b, c, d].map(|v| points[v as usize]);
-            let start = crate::cases::starts::triangles(&places, &[[0, 1, 2], [1, 0, 3]]);
-            let of = |step: Step| Case::new(case.name.clone(), start.clone()).step(Step::Dump).step(step);
-            match function.as_str() {
-                "delaunify" => all.push(of(call.clone()).step(Step::Dump)),
-                "smallest_angle" => all.push(of(call.clone())),
-                _ => all.extend(["h0", "h1"].map(|h| of(Step::call(function, [h])))),
-            }
-        }
-    }
-    all
-}
-
 /// Points, and the corners of triangles.
 type Stated = (Vec<[f64; 2]>, Vec<[u32; 3]>);
 
@@ -226,7 +222,7 @@ mod tests {
         let all = meshes::fixed();
         let sites = all.iter().find(|mesh| mesh.name == "sites").unwrap();
         let case = Case::new("x", sites.start()).step(Step::Dump).step(Step::call("is_legal", ["h9"]));
-        let shorter = shorter(&case);
+        let shorter = DELAUNAY.shorter(&case);
         // 25 edges, 8 of them on the border; each inner one is asked by both halves.
         assert_eq!(shorter.len(), 2 * (25 - 8));
         assert!(

@@ -46,8 +46,8 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
 }
 
 /// A case that dumps after every call. `calls` are lines such as `split_face h0 h4`.
-pub(super) fn sequence(name: &str, start: Start, calls: &[&str]) -> Case {
-    followed(name, start, &calls.iter().map(|call| Step::of_line(call)).collect::<Vec<_>>())
+pub(super) fn sequence(name: &str, start: Start, calls: &str) -> Case {
+    followed(name, start, &calls.split("; ").map(Step::of_line).collect::<Vec<_>>())
 }
 
 /// The same for steps.

@@ -157,10 +157,6 @@ fn by_call(case: &Case, answer: &CaseAnswer, judge: impl Fn(&Exchange) -> Vec<Fa
     crate::fault::exchanges(case, answer).iter().flat_map(judge).collect()
 }
 
-fn table(table: Table) -> Start {
-    Start::table(table)
-}
-
 /// The structures of the exhaustive cases, with their names: those on which corners and vertices differ, one of
 /// every small kind, some of these with other names.
 fn structures() -> Vec<(String, Table)> {
@@ -197,18 +193,18 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
         ("rectangle", rectangle(), [2, 6, 12]),
         ("triangle", polygon(3), [2, 3, 6]),
         ("two_triangles", fan, [3, 4, 10]),
-        ("window", table(window()), [5, 9, 24]),
-        ("window_again", table(relabelled(&window(), &mut random)), [5, 9, 24]),
+        ("window", Start::table(window()), [5, 9, 24]),
+        ("window_again", Start::table(relabelled(&window(), &mut random)), [5, 9, 24]),
     ];
     let mut starts: Vec<_> =
         starts.into_iter().map(|(start_name, start, counts)| (start_name.to_owned(), start, counts)).collect();
     for (odd_name, odd) in odd() {
         let counts = [odd.faces.len(), odd.vertices.len(), odd.half_edges.len()];
-        starts.push((odd_name.to_owned(), table(odd.clone()), counts));
-        starts.push((format!("{odd_name}_again"), table(relabelled(&odd, &mut random)), counts));
-        starts.push((format!("{odd_name}{BLIND}"), table(blind(&odd)), counts));
+        starts.push((odd_name.to_owned(), Start::table(odd.clone()), counts));
+        starts.push((format!("{odd_name}_again"), Start::table(relabelled(&odd, &mut random)), counts));
+        starts.push((format!("{odd_name}{BLIND}"), Start::table(blind(&odd)), counts));
     }
-    starts.push((format!("window{BLIND}"), table(blind(&window())), [5, 9, 24]));
+    starts.push((format!("window{BLIND}"), Start::table(blind(&window())), [5, 9, 24]));
     starts.push(("wheel".to_owned(), wheel(40), [3, 3, 9]));
     starts.push(("convex".to_owned(), convex(300), [2, 2, 4]));
     let call = |number: usize| Step::call(function, [format!("{letter}{number}")]);
@@ -238,7 +234,7 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
     if let Some(without) = without {
         let mut start = window();
         start.half_edges.iter_mut().flatten().for_each(without);
-        let case = Case::new(format!("{name}.alone"), table(start)).step(Step::Dump);
+        let case = Case::new(format!("{name}.alone"), Start::table(start)).step(Step::Dump);
         cases.push(case.step(Step::call(function, ["h0"])).step(Step::call(function, ["h9"])));
     }
     cases
@@ -246,7 +242,7 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
 
 fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
     let one = |name: &str, start: Start, pair: &str| {
-        sequence(&format!("split_face.{name}"), start, &[&format!("split_face {pair}")])
+        sequence(&format!("split_face.{name}"), start, &format!("split_face {pair}"))
     };
     let mut cases = vec![
         one("across", rectangle(), "h2 h8"),
@@ -267,7 +263,7 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("grid_outside", small_grid(), "h1 h41"),
     ];
     for (name, structure) in structures {
-        let case = Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump);
+        let case = Case::new(format!("split_face.{name}"), Start::table(structure.clone())).step(Step::Dump);
         let pairs = half_edges(structure).flat_map(|h1| half_edges(structure).map(move |h2| (h1, h2)));
         let mut asked: Vec<_> =
             pairs.map(|(h1, h2)| (may_split_face(structure, h1, h2) == Legal::Yes, h1, h2)).collect();
@@ -280,7 +276,7 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
 
 fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
     let one = |name: &str, start: Start, h: &str| {
-        sequence(&format!("split_in_half.{name}"), start, &[&format!("split_in_half {h}")])
+        sequence(&format!("split_in_half.{name}"), start, &format!("split_in_half {h}"))
     };
     let mut cases = vec![
         one("inside", rectangle(), "h0"),
@@ -295,7 +291,7 @@ fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
         cases.push(case.each_alone(["h0", "h2", "h4"].map(|h| Step::call("split_in_half", [h]))));
     }
     for (name, structure) in structures {
-        let case = Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump);
+        let case = Case::new(format!("split_in_half.{name}"), Start::table(structure.clone())).step(Step::Dump);
         cases.push(case.each_alone(half_edges(structure).map(|h| Step::call("split_in_half", [h]))));
     }
     cases
@@ -318,114 +314,80 @@ const TWELVE: [[f64; 2]; 12] = [
 ];
 
 /// Sequences of `split_face` with stored representatives, on both sides.
-fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
+fn face_sequences() -> Vec<Case> {
     vec![
-        ("fan", rectangle(), vec!["split_face h2 h6", "split_face h2 h8", "split_face h2 h10"]),
-        (
+        sequence("fan", rectangle(), "split_face h2 h6; split_face h2 h8; split_face h2 h10"),
+        sequence(
             "stored",
             rectangle(),
-            vec![
-                "split_face h2 h8",
-                "split_face f1.half_edge f1.half_edge.next.next",
-                "split_face h8.face.half_edge h8.face.half_edge.next.next",
-                "split_face f1.half_edge f1.half_edge.next",
-            ],
+            "split_face h2 h8; split_face f1.half_edge f1.half_edge.next.next; \
+             split_face h8.face.half_edge h8.face.half_edge.next.next; \
+             split_face f1.half_edge f1.half_edge.next",
         ),
-        (
+        sequence(
             "both_sides",
             rectangle(),
-            vec![
-                "split_face h2 h8",
-                "split_face h8.prev.twin h4",
-                "split_face h8.prev h8.next.next",
-                "split_face h2.prev h6",
-            ],
+            "split_face h2 h8; split_face h8.prev.twin h4; split_face h8.prev h8.next.next; \
+             split_face h2.prev h6",
         ),
-        (
+        sequence(
             "outside",
             polygon(5),
-            vec![
-                "split_face f0.half_edge f0.half_edge.next.next",
-                "split_face h1.face.half_edge h1.face.half_edge.prev.prev",
-                "split_face f0.half_edge f0.half_edge.next.next",
-                "split_face v0.outgoing v0.outgoing.next.next",
-            ],
+            "split_face f0.half_edge f0.half_edge.next.next; \
+             split_face h1.face.half_edge h1.face.half_edge.prev.prev; \
+             split_face f0.half_edge f0.half_edge.next.next; \
+             split_face v0.outgoing v0.outgoing.next.next",
         ),
-        (
+        sequence(
             "many_corners",
             polygon_at(&TWELVE),
-            vec!["split_face h0 h4", "split_face h10 h4.prev.twin", "split_face h1 h15"],
+            "split_face h0 h4; split_face h10 h4.prev.twin; split_face h1 h15",
         ),
-        (
+        sequence(
             "refused_between",
             polygon(4),
-            vec![
-                "split_face h0 h2",
-                "split_face h0 h4",
-                "split_face h0 h4",
-                "split_face h0.prev h4.prev",
-                "split_face h0.prev.twin h2",
-            ],
+            "split_face h0 h2; split_face h0 h4; split_face h0 h4; split_face h0.prev h4.prev; \
+             split_face h0.prev.twin h2",
         ),
     ]
 }
 
 /// Sequences of both splits, from both twins.
-fn mixed_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
+fn mixed_sequences() -> Vec<Case> {
     vec![
-        (
+        sequence(
             "halves",
             polygon(3),
-            vec!["split_in_half h0", "split_in_half h0", "split_in_half h0.next.twin", "split_in_half h0.prev"],
+            "split_in_half h0; split_in_half h0; split_in_half h0.next.twin; split_in_half h0.prev",
         ),
-        ("halves_of_halves", rectangle(), vec!["split_in_half h0"; 8]),
-        ("forty_halves", polygon(3), vec!["split_in_half h2"; 40]),
-        (
+        sequence("halves_of_halves", rectangle(), &["split_in_half h0"; 8].join("; ")),
+        sequence("forty_halves", polygon(3), &["split_in_half h2"; 40].join("; ")),
+        sequence(
             "door",
             rectangle(),
-            vec![
-                "split_face h2 h8",
-                "split_in_half h8.prev",
-                "split_in_half h8.prev.twin",
-                "split_face h8.prev h10.next",
-                "split_face h2.prev h4",
-            ],
+            "split_face h2 h8; split_in_half h8.prev; split_in_half h8.prev.twin; \
+             split_face h8.prev h10.next; split_face h2.prev h4",
         ),
-        (
+        sequence(
             "stored",
             rectangle(),
-            vec![
-                "split_in_half f1.half_edge",
-                "split_in_half f0.half_edge",
-                "split_face f1.half_edge f1.half_edge.next.next",
-                "split_in_half f0.half_edge.twin",
-                "split_face f0.half_edge f0.half_edge.prev.prev",
-                "split_in_half v3.outgoing",
-                "split_face v3.outgoing v3.outgoing.next.next",
-            ],
+            "split_in_half f1.half_edge; split_in_half f0.half_edge; \
+             split_face f1.half_edge f1.half_edge.next.next; split_in_half f0.half_edge.twin; \
+             split_face f0.half_edge f0.half_edge.prev.prev; split_in_half v3.outgoing; \
+             split_face v3.outgoing v3.outgoing.next.next",
         ),
-        (
+        sequence(
             "ends",
             polygon(4),
-            vec![
-                "split_in_half h1",
-                "split_in_half v1.outgoing",
-                "split_in_half v0.outgoing",
-                "split_face v0.outgoing v0.outgoing.next.next",
-                "split_in_half v0.outgoing.twin",
-                "split_face h4 h4.next.next.next",
-            ],
+            "split_in_half h1; split_in_half v1.outgoing; split_in_half v0.outgoing; \
+             split_face v0.outgoing v0.outgoing.next.next; split_in_half v0.outgoing.twin; \
+             split_face h4 h4.next.next.next",
         ),
     ]
 }
 
-fn sequence_cases(
-    name: &str,
-    fixed_ones: Vec<(&'static str, Start, Vec<&'static str>)>,
-    weights: [usize; 2],
-    plan: &Plan,
-) -> Vec<Asked> {
-    let named = fixed_ones.into_iter().map(|(case, start, calls)| sequence(&format!("{name}.{case}"), start, &calls));
+fn sequence_cases(name: &str, fixed_ones: Vec<Case>, weights: [usize; 2], plan: &Plan) -> Vec<Asked> {
+    let named = fixed_ones.into_iter().map(|case| Case { name: format!("{name}.{}", case.name), ..case });
     let mut named: Vec<Case> = named.collect();
     named.push(costs::splits(name, if weights[1] == 0 { "split_face" } else { "split_in_half" }));
     let mut asked = Asked::fixed(named);

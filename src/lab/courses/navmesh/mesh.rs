@@ -7,6 +7,7 @@
 //!
 //! Written independently of the student's program, which makes the same of the same lines.
 
+use crate::cases::cycles::sides_of;
 use crate::cases::numbers::renumbered;
 use crate::cases::random::Random;
 use crate::checks::walks::{self, cycle};
@@ -33,28 +34,12 @@ pub(super) fn same(a: Spot, b: Spot) -> bool {
 /// The mesh of some triangles, each counter-clockwise. Every point is a corner of one.
 pub(super) fn build(points: &[Spot], triangles: &[[usize; 3]]) -> Table {
     let id = |h: usize| Some(HalfEdgeId::new(h as u32));
-    let mut ends: Vec<[usize; 2]> = Vec::new();
-    let mut face: Vec<usize> = Vec::new();
-    // By origin: the other end of each half-edge, and its number.
-    let mut known: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
-    let mut sides: Vec<[usize; 3]> = Vec::new();
-    for (t, corners) in triangles.iter().enumerate() {
-        sides.push([0, 1, 2].map(|i| {
-            let (from, to) = (corners[i], corners[(i + 1) % 3]);
-            let h = known[from].iter().find(|half| half[0] == to).map_or(ends.len(), |half| half[1]);
-            if h == ends.len() {
-                known[from].push([to, h]);
-                known[to].push([from, h + 1]);
-                ends.extend([[from, to], [to, from]]);
-                face.extend([0, 0]);
-            }
-            face[h] = t + 1;
-            h
-        }));
-    }
+    let (ends, sides) = sides_of(triangles);
+    let mut face = vec![0; ends.len()];
     let mut next = vec![0; ends.len()];
-    for three in &sides {
+    for (t, three) in sides.iter().enumerate() {
         for i in 0..3 {
+            face[three[i]] = t + 1;
             next[three[i]] = three[(i + 1) % 3];
         }
     }

@@ -8,23 +8,20 @@
 use super::shapes::{blind, torus};
 use crate::many::{self, Large, QUESTIONS};
 use crate::protocol::{Case, Start, Structure};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock};
 
 /// How many reads the many questions have together. The solution needs 130,000.
 const BUDGET: u64 = 1_000_000;
 
 /// The large surface.
-pub(super) fn large_torus() -> Start {
-    static MADE: OnceLock<Structure> = OnceLock::new();
-    let make = || Structure::Records(Arc::new(blind(&torus(150, 150)).records()));
-    Start::known("torus 150 150", MADE.get_or_init(make).clone())
-}
+pub(super) static LARGE_TORUS: LazyLock<Start> =
+    LazyLock::new(|| Start::known("torus 150 150", Structure::Records(Arc::new(blind(&torus(150, 150)).records()))));
 
 /// Questions about single vertices, then about many.
 pub(super) fn questions() -> Case {
     many::questions(
         "vertices_around_large.torus",
-        large_torus(),
+        LARGE_TORUS.clone(),
         "vertices_around",
         ["v22499", "v16400", "v300"],
         BUDGET,
@@ -46,6 +43,6 @@ mod tests {
 
     #[test]
     fn the_large_surface_has_as_many_records_as_it_says() {
-        assert_eq!(large_torus().structure().map(Structure::len), Some(LARGE.records as usize));
+        assert_eq!(LARGE_TORUS.structure().map(Structure::len), Some(LARGE.records as usize));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::merging::merged;
 use super::surface::Surface;
+use crate::cases::cycles;
 use crate::cases::random::Random;
 
 /// The corners of faces.
@@ -43,9 +44,7 @@ pub(super) fn prism(n: u32) -> Faces {
 
 /// As the line `torus N M` has it.
 pub(super) fn torus(n: u32, m: u32) -> Faces {
-    let at = |i: u32, j: u32| (i % n) * m + j % m;
-    let cells = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
-    cells.map(|(i, j)| vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]).collect()
+    cycles::torus(n, m).into_iter().map(Vec::from).collect()
 }
 
 /// The torus with the fewest vertices: seven, each joined with all others.

@@ -87,7 +87,7 @@ impl Judge for Polyhedra {
             }
             let mut fixed: Vec<Case> = given.iter().map(|of| case(function.word, of)).collect();
             if function.word == "genus" {
-                let large = Case::new("genus.torus_of_22500", costs::large_torus());
+                let large = Case::new("genus.torus_of_22500", costs::LARGE_TORUS.clone());
                 fixed.push(large.step(Step::Changes).step(Step::of_line("genus")));
             }
             let asked = Asked::fixed_and_seeded(fixed, plan, RANDOM, |seed, count| random(function.word, seed, count));

@@ -3,12 +3,13 @@
 use super::functions::FUNCTIONS;
 use super::points::{FAR, PLAIN, line, nearly_collinear, of_points, random_nearly, random_sum, random_whole, sums};
 use super::{features, functions, map};
+use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::fault::Fault;
 use crate::judge::{Asked, Judge, Suite, ToldBy};
+use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, RecordSchema, Schema, Start, Step};
-use crate::{answers, pictures};
 
 /// The test of the picture.
 const MAP: &str = "wrong_signs";
@@ -31,22 +32,13 @@ impl Judge for Predicates {
     }
 
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
-        let suite = |tests: &'static [&'static str]| {
-            let name = tests[0];
-            Suite::of(tests, Asked::fixed_and_seeded(fixed(name), plan, RANDOM, |seed, _| random(name, seed)))
+        let suite = |function: &'static Function| {
+            let name = function.word;
+            let asked = Asked::fixed_and_seeded(fixed(name), plan, RANDOM, |seed, _| random(name, seed));
+            Suite::of(std::slice::from_ref(&function.test), asked)
         };
-        vec![
-            suite(&["parallelogram_area"]),
-            suite(&["triangle_area"]),
-            suite(&["turn"]),
-            suite(&["in_triangle"]),
-            suite(&["in_circle"]),
-            suite(&["sign_of_sum"]),
-            suite(&["orient2d_exact"]),
-            suite(&["filter"]),
-            suite(&["orient2d"]),
-            Suite::of(&[MAP], Asked::fixed([Case::new("wrong_signs.map", Start::none()).step(Step::Svg)])),
-        ]
+        let map = Case::new("wrong_signs.map", Start::none()).step(Step::Svg);
+        FUNCTIONS.iter().map(suite).chain([Suite::of(&[MAP], Asked::fixed([map]))]).collect()
     }
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
@@ -77,8 +69,24 @@ impl Judge for Predicates {
         }
     }
 
+    /// The failing sum with one or two numbers less; the failing call by itself.
     fn shorter(&self, case: &Case) -> Vec<Case> {
-        shorter(case)
+        let Some(Step::Call { function, arguments }) =
+            case.steps.iter().rfind(|step| matches!(step, Step::Call { .. })).filter(|_| case.start.text().is_empty())
+        else {
+            return Vec::new();
+        };
+        let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
+        if function != "sign_of_sum" || calls != 1 || arguments.len() > 40 {
+            return Vec::new();
+        }
+        let without = |left_out: &[usize]| {
+            let kept = arguments.iter().enumerate().filter(|(i, _)| !left_out.contains(i)).map(|(_, word)| word);
+            Case::new(case.name.clone(), Start::none()).step(Step::call(function, kept))
+        };
+        let n = arguments.len();
+        let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| vec![i, j]));
+        pairs.chain((0..n).map(|i| vec![i])).take(240).map(|left_out| without(&left_out)).collect()
     }
 }
 
@@ -223,24 +231,4 @@ fn in_circle() -> Vec<Case> {
     let off = first.map(|d| asked(far(d), [b, a, c].map(far)));
     cases.push(case(word, "far", far_calls.chain(off)));
     cases
-}
-
-/// The failing sum with one or two numbers less; the failing call by itself.
-fn shorter(case: &Case) -> Vec<Case> {
-    let Some(Step::Call { function, arguments }) =
-        case.steps.iter().rfind(|step| matches!(step, Step::Call { .. })).filter(|_| case.start.text().is_empty())
-    else {
-        return Vec::new();
-    };
-    let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
-    if function != "sign_of_sum" || calls != 1 || arguments.len() > 40 {
-        return Vec::new();
-    }
-    let without = |left_out: &[usize]| {
-        let kept = arguments.iter().enumerate().filter(|(i, _)| !left_out.contains(i)).map(|(_, word)| word);
-        Case::new(case.name.clone(), Start::none()).step(Step::call(function, kept))
-    };
-    let n = arguments.len();
-    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| vec![i, j]));
-    pairs.chain((0..n).map(|i| vec![i])).take(240).map(|left_out| without(&left_out)).collect()
 }

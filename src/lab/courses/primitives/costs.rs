@@ -6,36 +6,27 @@
 //!   many 10000 cut_corner 1000000
 //! ```
 
-use crate::cases::cycles::from_cycles;
+use crate::cases::cycles::{from_cycles, torus};
 use crate::fault::{Fault, FaultKind, answered};
 use crate::many::{self, QUESTIONS};
 use crate::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
-use dcel_kit::FaceId;
 use dcel_kit::topology::Table;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock};
 
 const SIDE: u32 = 130;
 /// How many reads the many splits of a kind have together. The solution needs about 320,000.
 const BUDGET: u64 = 1_000_000;
 const RECORDS: u64 = 6 * SIDE as u64 * SIDE as u64;
 
-fn large_torus() -> Arc<Table> {
-    static MADE: OnceLock<Arc<Table>> = OnceLock::new();
-    let make = || {
-        let at = |i: u32, j: u32| i % SIDE * SIDE + j % SIDE;
-        let cells = (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (i, j)));
-        let quads: Vec<[u32; 4]> =
-            cells.map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]).collect();
-        let faces: Vec<&[u32]> = quads.iter().map(<[u32; 4]>::as_slice).collect();
-        let table = from_cycles(&vec![[0.0; 2]; (SIDE * SIDE) as usize], &faces);
-        Arc::new(Table { outer_face: Some(FaceId::new(0)), ..table })
-    };
-    MADE.get_or_init(make).clone()
-}
+static LARGE_TORUS: LazyLock<Arc<Table>> = LazyLock::new(|| {
+    let quads = torus(SIDE, SIDE);
+    let faces: Vec<&[u32]> = quads.iter().map(<[u32; 4]>::as_slice).collect();
+    Arc::new(from_cycles(&vec![[0.0; 2]; (SIDE * SIDE) as usize], &faces))
+});
 
 /// Single splits, then many.
 pub(super) fn questions() -> Case {
-    let case = Case::new("large.torus", Start::table(large_torus())).step(Step::Changes);
+    let case = Case::new("large.torus", Start::table(LARGE_TORUS.clone())).step(Step::Changes);
     let lines =
         ["split_vertex h67000 h67000.prev.twin", "split_vertex h300 h300", "split_face h67200 h67200.next.next"];
     case.calls(lines.map(Step::of_line), &[Step::Changes])
@@ -76,7 +67,7 @@ mod tests {
 
     #[test]
     fn the_large_surface_is_a_torus_of_as_many_records_as_it_says() {
-        let table = Table { outer_face: None, ..(*large_torus()).clone() };
+        let table = Table { outer_face: None, ..LARGE_TORUS.as_ref().clone() };
         assert!(first_violation(&table).is_none());
         assert_eq!(measure(&table).genus(), 1);
         let records = table.vertices.len() + table.half_edges.len() + table.faces.len();

@@ -3,8 +3,8 @@
 use super::reference::{self, round};
 use crate::answers;
 use crate::checks::faults::Faults;
-use crate::fault::{Exchange, Fault, FaultKind};
-use crate::protocol::{CallEnd, Value};
+use crate::fault::Exchange;
+use crate::protocol::Value;
 use dcel_kit::topology::{Dcel, Difference, IsomorphismOptions, Table, View, isomorphic_with, measure};
 use dcel_kit::{Element, HalfEdgeId, VertexId};
 
@@ -34,30 +34,22 @@ fn shape(function: &str, numbers: &[usize]) -> Option<Table> {
 }
 
 /// What is wrong with a call.
-pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
-    let mut faults = Faults::of(exchange);
-    let Some((ids, end)) = exchange.called else { return faults.all() };
-    let CallEnd::Returned(values) = end else {
-        if let Some(kind) = FaultKind::of_end(end) {
-            faults.add(test, kind, "end", &end.words(), &[]);
-        }
-        return faults.all();
-    };
+pub(super) fn judge(exchange: &Exchange, test: &'static str, faults: &mut Faults) -> Option<()> {
+    let (ids, end) = exchange.called?;
+    let values = faults.returned(end, &[test])?;
     let numbers: Vec<usize> = exchange.words.iter().filter_map(|word| word.parse().ok()).collect();
     let Some(after) = exchange.after().map(|after| closed(after)) else {
-        if let Some(before) = exchange.before() {
-            count(exchange.function, test, &closed(before), values, &mut faults);
-        }
-        return faults.all();
+        count(exchange.function, test, &closed(exchange.before()?), values, faults);
+        return None;
     };
     if let Some(expected) = shape(exchange.function, &numbers) {
-        compare(test, &after, &expected, |_| false, &mut faults);
-        return faults.all();
+        compare(test, &after, &expected, |_| false, faults);
+        return None;
     }
-    let Some(before) = exchange.before().map(|before| closed(before)) else { return faults.all() };
+    let before = closed(exchange.before()?);
     let mut expected = before.clone();
     let h = |i: usize| ids.get(i).map(|&id| HalfEdgeId::new(id));
-    let (Some(first), second) = (h(0), h(1)) else { return faults.all() };
+    let (first, second) = (h(0)?, h(1));
     let number = |i: usize| numbers.get(i).copied().unwrap_or(1);
     let belong = match (exchange.function, second) {
         ("split_vertex", Some(last)) => before.origin(first) == before.origin(last),
@@ -70,16 +62,16 @@ pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
         ["have the same face", "have different faces"]
     };
     if !belong {
-        if !matches!(values.as_slice(), [Value::Refusal(_)]) {
+        if !matches!(values, [Value::Refusal(_)]) {
             faults.wrong(test, "accepted", &format!("expected None: the two half-edges {unlike}"), &[]);
         } else if after != before {
             faults.wrong(test, "refused.changed", "returned None, and has changed the structure", &[]);
         }
-        return faults.all();
+        return None;
     }
-    if matches!(values.as_slice(), [Value::Refusal(_)]) {
+    if matches!(values, [Value::Refusal(_)]) {
         faults.wrong(test, "refused", &format!("returned None, but the two half-edges {alike}"), &[]);
-        return faults.all();
+        return None;
     }
     let made = match (exchange.function, second) {
         ("split_vertex", Some(last)) => reference::split_vertex(&mut expected, first, last).map(|_| ()),
@@ -91,10 +83,10 @@ pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
         _ => None,
     };
     let keeps = |element| is_old(&before, element) && !may_move(exchange.function, &before, first, element);
-    if made.is_some() && compare(test, &after, &expected, keeps, &mut faults) {
-        returned(exchange.function, test, [&before, &after], (first, number(0)), values, &mut faults);
+    if made.is_some() && compare(test, &after, &expected, keeps, faults) {
+        returned(exchange.function, test, [&before, &after], (first, number(0)), values, faults);
     }
-    faults.all()
+    Some(())
 }
 
 /// The values of `euler` and `genus`.

@@ -8,6 +8,7 @@ use super::reference::{self, turned};
 use super::{costs, picture, revolve, shorter};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
+use crate::checks::faults::Faults;
 use crate::fault::{Fault, exchanges};
 use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::pictures;
@@ -245,7 +246,8 @@ impl Judge for Primitives {
             PICTURE => pictures::judge_case(PICTURE, case, answer, picture::plain),
             test => {
                 let calls = exchanges(case, answer);
-                let wrong = calls.iter().flat_map(|exchange| growth::judge(exchange, suite.tests[0]));
+                let judge = |exchange| Faults::found(exchange, |faults| growth::judge(exchange, test, faults));
+                let wrong = calls.iter().flat_map(judge);
                 let cost = (test == LARGE).then(|| costs::judge(LARGE, case, answer));
                 wrong.chain(cost.into_iter().flatten()).collect()
             }
@@ -253,11 +255,7 @@ impl Judge for Primitives {
     }
 
     fn told_by(&self, test: &str) -> ToldBy {
-        if !matches!(test, "split_vertex" | "split_face" | "large" | "picture") {
-            ToldBy::Answer
-        } else {
-            ToldBy::Words
-        }
+        if matches!(test, "split_vertex" | "split_face" | LARGE | PICTURE) { ToldBy::Words } else { ToldBy::Answer }
     }
 
     crate::features_of!(features);

@@ -3,6 +3,7 @@
 //! The k-th edge that the triangles state has the half-edges h(2k), on the side that states it first, and h(2k+1).
 
 use super::model::{Model, Place};
+use crate::cases::cycles::sides_of;
 use crate::cases::handouts::GEM;
 use crate::cases::random::Random;
 use crate::cases::starts::words;
@@ -142,23 +143,11 @@ pub(super) fn soup(name: &'static str, points: &[Place], triangles: &[[usize; 3]
 
 /// The records that the student's program begins with.
 fn records(points: &[Place], triangles: &[[usize; 3]], free: &[usize]) -> Records {
-    let mut ends: Vec<[usize; 2]> = Vec::new();
-    let mut known: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    let (ends, sides) = sides_of(triangles);
     let mut outgoing = vec![None; points.len()];
-    let sides: Vec<[usize; 3]> = triangles
-        .iter()
-        .map(|&[a, b, c]| {
-            [[a, b], [b, c], [c, a]].map(|[from, to]| {
-                let h = *known.entry([from, to]).or_insert(ends.len());
-                if h == ends.len() {
-                    known.insert([to, from], h + 1);
-                    ends.extend([[from, to], [to, from]]);
-                }
-                outgoing[from].get_or_insert(h as u32);
-                h
-            })
-        })
-        .collect();
+    for &h in sides.iter().flatten() {
+        outgoing[ends[h][0]].get_or_insert(h as u32);
+    }
     let mut links = vec![[None; 3]; ends.len()];
     for (f, three) in sides.iter().enumerate() {
         for i in 0..3 {

@@ -172,28 +172,24 @@ impl Judge for SupportJudge {
         }
     }
 
+    /// The case without some of the calls before the last one: without all, a half, a quarter of them and so on, as long as
+    /// every call that is left may be asked.
     fn shorter(&self, case: &Case) -> Vec<Case> {
-        shorter(case)
+        let is_call = |step: &usize| matches!(case.steps[*step], Step::Call { .. });
+        let mut calls: Vec<usize> = (0..case.steps.len()).filter(is_call).collect();
+        calls.pop();
+        let mut out = Vec::new();
+        let mut size = calls.len();
+        while size > 0 {
+            out.extend(calls.chunks(size).map(|left_out| {
+                let steps = case.steps.iter().enumerate().filter(|(i, _)| !left_out.contains(i));
+                Case { steps: steps.map(|(_, step)| step.clone()).collect(), ..case.clone() }
+            }));
+            size /= 2;
+        }
+        out.retain(may_be_asked);
+        out
     }
-}
-
-/// The case without some of the calls before the last one: without all, a half, a quarter of them and so on, as long as
-/// every call that is left may be asked.
-fn shorter(case: &Case) -> Vec<Case> {
-    let is_call = |step: &usize| matches!(case.steps[*step], Step::Call { .. });
-    let mut calls: Vec<usize> = (0..case.steps.len()).filter(is_call).collect();
-    calls.pop();
-    let mut out = Vec::new();
-    let mut size = calls.len();
-    while size > 0 {
-        out.extend(calls.chunks(size).map(|left_out| {
-            let steps = case.steps.iter().enumerate().filter(|(i, _)| !left_out.contains(i));
-            Case { steps: steps.map(|(_, step)| step.clone()).collect(), ..case.clone() }
-        }));
-        size /= 2;
-    }
-    out.retain(may_be_asked);
-    out
 }
 
 /// Whether every call is for what is there when it is made.
@@ -423,7 +419,7 @@ mod tests {
             let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. }));
             calls.cloned().collect::<Vec<_>>()
         };
-        let (all, shorter) = (calls(&case), shorter(&case));
+        let (all, shorter) = (calls(&case), SUPPORT.shorter(&case));
         assert!(shorter.len() > 5, "{}", shorter.len());
         for short in &shorter {
             assert!(calls(short).len() < all.len() && calls(short).last() == all.last(), "{}", short.script());

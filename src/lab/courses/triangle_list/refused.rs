@@ -1,8 +1,8 @@
 //! What a function returned that builds or refuses.
 
 use crate::checks::faults::Faults;
-use crate::fault::{Exchange, FaultKind};
-use crate::protocol::{CallEnd, Value};
+use crate::fault::Exchange;
+use crate::protocol::Value;
 use std::collections::BTreeSet;
 
 /// Whether a call has built what it should, so that it can be looked at; else what is wrong is added.
@@ -13,16 +13,12 @@ pub(super) fn built(
     tests: &[&'static str],
     allowed: &BTreeSet<String>,
     faults: &mut Faults,
-) -> bool {
-    let Some((_, end)) = exchange.called else { return false };
-    let CallEnd::Returned(values) = end else {
-        ended(end, tests, faults);
-        return false;
-    };
+) -> Option<()> {
+    let values = faults.returned(exchange.called?.1, tests)?;
     let mut wrong = |rule, words: String| tests.iter().for_each(|test| faults.wrong(test, rule, &words, &[]));
     let all = || allowed.iter().map(|why| format!("\"{why}\"")).collect::<Vec<_>>().join(" or ");
-    match values.as_slice() {
-        [Value::Truth(true)] if allowed.is_empty() => return true,
+    match values {
+        [Value::Truth(true)] if allowed.is_empty() => return Some(()),
         [Value::Truth(true)] => wrong("accepted", format!("returned Ok, expected the refusal {}", all())),
         [Value::Refusal(why)] if allowed.is_empty() => {
             wrong("refused", format!("refused \"{why}\", but nothing is wrong with it"));
@@ -33,12 +29,5 @@ pub(super) fn built(
         [Value::Refusal(_)] => {}
         _ => wrong("type", "returned neither Ok nor a refusal".to_owned()),
     }
-    false
-}
-
-/// A call that did not return.
-pub(super) fn ended(end: &CallEnd, tests: &[&'static str], faults: &mut Faults) {
-    if let Some(kind) = FaultKind::of_end(end) {
-        tests.iter().for_each(|test| faults.add(test, kind.clone(), "end", &end.words(), &[]));
-    }
+    None
 }

@@ -1,12 +1,12 @@
 //! Judging `add_face`, `match_twins` and `close_border`, each on what the steps before it should have made.
 
-use super::refused::{built, ended};
+use super::refused::built;
 use super::soup::{Ends, Soup};
 use crate::checks::align::half_edge_row;
 use crate::checks::faults::{Faults, named};
 use crate::checks::walks::half_edges;
-use crate::fault::{Exchange, Fault};
-use crate::protocol::{CallEnd, Value};
+use crate::fault::Exchange;
+use crate::protocol::Value;
 use dcel_kit::topology::{HalfEdgeRow, Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,14 +27,9 @@ fn instead(found: Option<HalfEdgeId>, h: HalfEdgeId, back: Option<HalfEdgeId>) -
 }
 
 /// What is wrong with a call of `add_face`.
-pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
-    let mut faults = Faults::of(exchange);
-    let Some((_, end)) = exchange.called else { return faults.all() };
-    let CallEnd::Returned(values) = end else {
-        ended(end, &ADD_FACE, &mut faults);
-        return faults.all();
-    };
-    let (Some(before), Some(after)) = (exchange.before(), exchange.after()) else { return faults.all() };
+pub(super) fn add_face(exchange: &Exchange, faults: &mut Faults) -> Option<()> {
+    let values = faults.returned(exchange.called?.1, &ADD_FACE)?;
+    let (before, after) = (exchange.before()?, exchange.after()?);
     let corners: Vec<u32> = exchange.words.iter().filter_map(|word| word.parse().ok()).collect();
     let (first, face) = (before.half_edges.len(), FaceId::new(before.faces.len() as u32));
     let [records, links] = ADD_FACE;
@@ -43,9 +38,9 @@ pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
     if counts != [1, corners.len()] {
         let words = format!("made {} faces and {} half-edges, expected 1 and {}", counts[0], counts[1], corners.len());
         ADD_FACE.iter().for_each(|test| faults.wrong(test, "add_face.count", &words, &[]));
-        return faults.all();
+        return None;
     }
-    if values.as_slice() != [Value::Id(face.number())] {
+    if values != [Value::Id(face.number())] {
         faults.wrong(records, "add_face.returned", &format!("the number of the new face is {}", face.number()), &[]);
     }
     let new: Vec<HalfEdgeId> = half_edges(after).skip(first).collect();
@@ -63,7 +58,7 @@ pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
         }
     }
     if at.len() != corners.len() {
-        return faults.all();
+        return None;
     }
     for ends in Soup::sides(&corners) {
         let [h, next] = ends.map(|v| at[&v]);
@@ -77,11 +72,11 @@ pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
         let words = format!("{face} knows no half-edge of its own: it is {}", named(after.half_edge(face)));
         faults.wrong(records, "add_face.boundary", &words, &[face.into()]);
     }
-    outgoing(records, after, &corners, &mut faults);
+    outgoing(records, after, &corners, faults);
     if let Some(h) = half_edges(before).find(|&h| half_edge_row(before, h) != half_edge_row(after, h)) {
         faults.wrong(records, "add_face.others", &format!("{h} of another face has changed"), &[h.into()]);
     }
-    faults.all()
+    Some(())
 }
 
 /// Each of these vertices knows a half-edge that starts there.
@@ -104,19 +99,15 @@ fn by_ends(table: &Table) -> BTreeMap<Ends, HalfEdgeId> {
 }
 
 /// What is wrong with a call of `match_twins`.
-pub(super) fn match_twins(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
-    let mut faults = Faults::of(exchange);
-    let Some((before, soup)) = exchange.before().and_then(|before| Some((before, Soup::of_table(before)?))) else {
-        return faults.all();
-    };
-    if !built(exchange, &[test], &soup.edges_twice(), &mut faults) {
-        return faults.all();
-    }
-    let Some(after) = exchange.after() else { return faults.all() };
+pub(super) fn match_twins(exchange: &Exchange, test: &'static str, faults: &mut Faults) -> Option<()> {
+    let before = exchange.before()?;
+    let soup = Soup::of_table(before)?;
+    built(exchange, &[test], &soup.edges_twice(), faults)?;
+    let after = exchange.after()?;
     let ends = by_ends(before);
     if after.half_edges.len() != before.half_edges.len() {
         faults.wrong(test, "match_twins.count", "the number of half-edges has changed", &[]);
-        return faults.all();
+        return None;
     }
     for (&[a, b], &h) in &ends {
         let twin = ends.get(&[b, a]).copied();
@@ -129,19 +120,15 @@ pub(super) fn match_twins(exchange: &Exchange, test: &'static str) -> Vec<Fault>
             faults.wrong(test, "match_twins.others", &format!("{h} has changed not only its twin"), &[h.into()]);
         }
     }
-    faults.all()
+    Some(())
 }
 
 /// What is wrong with a call of `close_border`; `tests` are those that a wrong return is charged to.
-pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
-    let mut faults = Faults::of(exchange);
-    let Some((before, soup)) = exchange.before().and_then(|before| Some((before, Soup::of_table(before)?))) else {
-        return faults.all();
-    };
-    if !built(exchange, tests, &soup.pinched(), &mut faults) {
-        return faults.all();
-    }
-    let (Some(after), Some(&test)) = (exchange.after(), tests.first()) else { return faults.all() };
+pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str], faults: &mut Faults) -> Option<()> {
+    let before = exchange.before()?;
+    let soup = Soup::of_table(before)?;
+    built(exchange, tests, &soup.pinched(), faults)?;
+    let (after, test) = (exchange.after()?, *tests.first()?);
     let both = |rule: &str, words: &str, faults: &mut Faults| {
         tests.iter().for_each(|test| faults.wrong(test, rule, words, &[]));
     };
@@ -150,12 +137,12 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
     let made = after.half_edges.len().saturating_sub(first);
     if made != border.len() {
         let words = format!("made {made} half-edges, expected {}: one for each that has no twin", border.len());
-        both("close_border.count", &words, &mut faults);
-        return faults.all();
+        both("close_border.count", &words, faults);
+        return None;
     }
     let outer = after.outer_face;
     if outer != before.outer_face {
-        both("close_border.outer", "another face has become the outer one", &mut faults);
+        both("close_border.outer", "another face has become the outer one", faults);
     }
     let ends = by_ends(before);
     let mut of: BTreeMap<Ends, HalfEdgeId> = BTreeMap::new();
@@ -163,7 +150,7 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
         let inner = ends[&[b, a]];
         let Some(h) = after.twin(inner).filter(|h| h.index() >= first) else {
             let words = format!("{inner}.twin is {}, expected a new half-edge", named(after.twin(inner)));
-            both("close_border.twin", &words, &mut faults);
+            both("close_border.twin", &words, faults);
             continue;
         };
         of.insert([a, b], h);
@@ -178,7 +165,7 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
         }
     }
     let corners: BTreeSet<u32> = soup.faces.iter().flatten().copied().collect();
-    outgoing(test, after, &corners.into_iter().collect::<Vec<_>>(), &mut faults);
+    outgoing(test, after, &corners.into_iter().collect::<Vec<_>>(), faults);
     for h in half_edges(before).filter(|&h| before.twin(h).is_some()) {
         if half_edge_row(after, h) != half_edge_row(before, h) {
             let links = |table: &Table| [("next", table.next(h)), ("prev", table.prev(h)), ("twin", table.twin(h))];
@@ -191,9 +178,9 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
         }
     }
     if let Some(&links) = tests.get(1) {
-        cycles(links, after, &soup, &of, &mut faults);
+        cycles(links, after, &soup, &of, faults);
     }
-    faults.all()
+    Some(())
 }
 
 /// The links along the border, and the half-edge of the outer face.
@@ -214,11 +201,7 @@ fn cycles(test: &'static str, after: &Table, soup: &Soup, of: &BTreeMap<Ends, Ha
 }
 
 /// What is wrong with a call of `check_faces`.
-pub(super) fn check_faces(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
-    let mut faults = Faults::of(exchange);
-    let soup = exchange.before().and_then(|before| Soup::of_words(before.vertices.len(), exchange.words));
-    if let Some(soup) = soup {
-        built(exchange, &[test], &soup.bad_faces(), &mut faults);
-    }
-    faults.all()
+pub(super) fn check_faces(exchange: &Exchange, test: &'static str, faults: &mut Faults) -> Option<()> {
+    let soup = Soup::of_words(exchange.before()?.vertices.len(), exchange.words)?;
+    built(exchange, &[test], &soup.bad_faces(), faults)
 }

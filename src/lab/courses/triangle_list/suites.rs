@@ -8,6 +8,7 @@ use super::{drawing, features, steps, whole};
 use crate::cases::handouts::LIST_POINTS;
 use crate::cases::random::Random;
 use crate::cases::starts;
+use crate::checks::faults::Faults;
 use crate::fault::{Exchange, Fault, exchanges};
 use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::pictures;
@@ -88,14 +89,15 @@ impl Judge for TriangleList {
             "structure_svg" => return pictures::judge_case(test, case, answer, drawing::reference),
             _ => {}
         }
-        let fault = |exchange: &Exchange| match exchange.function {
-            "check_faces" => steps::check_faces(exchange, test),
-            "add_face" => steps::add_face(exchange),
-            "match_twins" => steps::match_twins(exchange, test),
-            "close_border" => steps::close_border(exchange, suite.tests),
-            _ => whole::from_faces(exchange, test),
+        let judge = |exchange: &Exchange, faults: &mut Faults| match exchange.function {
+            "check_faces" => steps::check_faces(exchange, test, faults),
+            "add_face" => steps::add_face(exchange, faults),
+            "match_twins" => steps::match_twins(exchange, test, faults),
+            "close_border" => steps::close_border(exchange, suite.tests, faults),
+            _ => whole::from_faces(exchange, test, faults),
         };
-        exchanges(case, answer).iter().flat_map(fault).collect()
+        let found = |exchange| Faults::found(exchange, |faults| judge(exchange, faults));
+        exchanges(case, answer).iter().flat_map(found).collect()
     }
 
     fn told_by(&self, test: &str) -> ToldBy {

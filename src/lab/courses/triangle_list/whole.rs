@@ -1,6 +1,6 @@
 //! Judging `from_faces`: any list, whatever the numbers of the half-edges are, and one of 100,352 triangles.
 
-use super::refused::{built, ended};
+use super::refused::built;
 use super::soup::{Ends, Soup};
 use crate::checks::faults::{Faults, named};
 use crate::checks::walks::half_edges;
@@ -8,7 +8,7 @@ use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step, Value, grouped};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How many cells the large list has in a row: 224 times 224, each of two triangles.
 pub(super) const CELLS: u32 = 224;
@@ -16,16 +16,12 @@ pub(super) const CELLS: u32 = 224;
 const READS: u64 = 60;
 
 /// What is wrong with a call of `from_faces`.
-pub(super) fn from_faces(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
-    let mut faults = Faults::of(exchange);
-    let Some(before) = exchange.before() else { return faults.all() };
-    let Some(soup) = Soup::of_words(before.vertices.len(), exchange.words) else { return faults.all() };
-    if built(exchange, &[test], &soup.refusals(), &mut faults)
-        && let Some(after) = exchange.after()
-    {
-        compare(test, before, &soup, after, &mut faults);
-    }
-    faults.all()
+pub(super) fn from_faces(exchange: &Exchange, test: &'static str, faults: &mut Faults) -> Option<()> {
+    let before = exchange.before()?;
+    let soup = Soup::of_words(before.vertices.len(), exchange.words)?;
+    built(exchange, &[test], &soup.refusals(), faults)?;
+    compare(test, before, &soup, exchange.after()?, faults);
+    Some(())
 }
 
 fn compare(test: &'static str, before: &Table, soup: &Soup, after: &Table, faults: &mut Faults) {
@@ -102,42 +98,37 @@ pub(super) fn large(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
     let half_edges = 2 * (2 * n * (n + 1) + n * n);
     let all = exchanges(case, answer);
     let Some(first) = all.first() else { return Vec::new() };
-    let mut faults = Faults::of(first);
-    let too_many = |reads: u64, so_far: &str| {
-        let [reads, half_edges] = [reads, half_edges].map(grouped);
-        format!(
-            "looks at everything: {reads} reads{so_far} for {half_edges} half-edges, where a dozen for each would do"
-        )
-    };
-    if let Some((_, CallEnd::Stopped(stopped))) = first.called
-        && stopped.pattern != Pattern::Circle
-    {
-        let words = too_many(stopped.reads, " and not done,");
-        faults.add(test, FaultKind::TooSlow { place: stopped.place.clone() }, "reads", &words, &[]);
-        return faults.all();
-    }
-    if !built(first, &[test], &std::collections::BTreeSet::new(), &mut faults) {
-        return faults.all();
-    }
-    if let Some(Reply::Reads(reads)) = answer.replies.get(1)
-        && *reads > READS * half_edges
-    {
-        let words = too_many(*reads, "");
-        faults.add(test, FaultKind::TooSlow { place: None }, "reads", &words, &[]);
-    }
-    let Some((_, end)) = all.get(1).and_then(|exchange| exchange.called) else { return faults.all() };
-    let CallEnd::Returned(values) = end else {
-        ended(end, &[test], &mut faults);
-        return faults.all();
-    };
-    // Vertices, half-edges, faces, half-edges of the outer face, half-edges that break a rule.
-    let expected = [(n + 1) * (n + 1), half_edges, 2 * n * n + 1, 4 * n, 0];
-    let names = ["vertices", "half-edges", "faces", "half-edges of the outer face", "half-edges that break a rule"];
-    for ((value, expected), name) in values.iter().zip(expected).zip(names) {
-        if *value != Value::Id(expected as u32) {
-            let words = format!("there are {} {name}, expected {}", value.words(), grouped(expected));
-            faults.wrong(test, "from_cells.count", &words, &[]);
+    Faults::found(first, |faults| {
+        let too_many = |reads: u64, so_far: &str| {
+            let [reads, half_edges] = [reads, half_edges].map(grouped);
+            format!(
+                "looks at everything: {reads} reads{so_far} for {half_edges} half-edges, where a dozen for each would do"
+            )
+        };
+        if let Some((_, CallEnd::Stopped(stopped))) = first.called
+            && stopped.pattern != Pattern::Circle
+        {
+            let words = too_many(stopped.reads, " and not done,");
+            faults.add(test, FaultKind::TooSlow { place: stopped.place.clone() }, "reads", &words, &[]);
+            return None;
         }
-    }
-    faults.all()
+        built(first, &[test], &BTreeSet::new(), faults)?;
+        if let Some(Reply::Reads(reads)) = answer.replies.get(1)
+            && *reads > READS * half_edges
+        {
+            let words = too_many(*reads, "");
+            faults.add(test, FaultKind::TooSlow { place: None }, "reads", &words, &[]);
+        }
+        let values = faults.returned(all.get(1)?.called?.1, &[test])?;
+        // Vertices, half-edges, faces, half-edges of the outer face, half-edges that break a rule.
+        let expected = [(n + 1) * (n + 1), half_edges, 2 * n * n + 1, 4 * n, 0];
+        let names = ["vertices", "half-edges", "faces", "half-edges of the outer face", "half-edges that break a rule"];
+        for ((value, expected), name) in values.iter().zip(expected).zip(names) {
+            if *value != Value::Id(expected as u32) {
+                let words = format!("there are {} {name}, expected {}", value.words(), grouped(expected));
+                faults.wrong(test, "from_cells.count", &words, &[]);
+            }
+        }
+        Some(())
+    })
 }

@@ -119,8 +119,34 @@ impl Judge for Triangulation {
         }
     }
 
+    /// A failing triangulation with a smaller polygon of the fixed ones; a sequence with fewer splits.
     fn shorter(&self, case: &Case) -> Vec<Case> {
-        shorter(case)
+        let calls: Vec<&Step> = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).collect();
+        let Some(&Step::Call { function, .. }) = calls.last() else { return Vec::new() };
+        match (function.as_str(), calls.len()) {
+            ("triangulate", 1) => {
+                let long = case.start.structure().map_or(0, Structure::len);
+                let smaller = small().into_iter().filter(|(_, polygon)| polygon.len() < long);
+                smaller
+                    .map(|(_, polygon)| Case {
+                        start: start(&polygon),
+                        steps: vec![Step::Dump, Step::call("triangulate", ["c0"]), Step::Dump],
+                        ..case.clone()
+                    })
+                    .collect()
+            }
+            ("split", 2..) => {
+                let kept = (0..calls.len() - 1).rev().map(|left_out| {
+                    let mut kept: Vec<Step> = vec![Step::Dump];
+                    let others =
+                        calls.iter().enumerate().filter(|(i, _)| *i != left_out).map(|(_, call)| (*call).clone());
+                    kept.extend(others.flat_map(|call| [call, Step::Dump]));
+                    Case { steps: kept, ..case.clone() }
+                });
+                kept.collect()
+            }
+            _ => Vec::new(),
+        }
     }
 }
 
@@ -368,33 +394,4 @@ fn random(name: &str, seed: u64) -> Vec<Case> {
 /// From few corners to many.
 fn random_size(k: usize) -> usize {
     k * (SIZES[1] - SIZES[0]) / (RANDOM - 1).max(1)
-}
-
-/// A failing triangulation with a smaller polygon of the fixed ones; a sequence with fewer splits.
-fn shorter(case: &Case) -> Vec<Case> {
-    let calls: Vec<&Step> = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).collect();
-    let Some(&Step::Call { function, .. }) = calls.last() else { return Vec::new() };
-    match (function.as_str(), calls.len()) {
-        ("triangulate", 1) => {
-            let long = case.start.structure().map_or(0, Structure::len);
-            let smaller = small().into_iter().filter(|(_, polygon)| polygon.len() < long);
-            smaller
-                .map(|(_, polygon)| Case {
-                    start: start(&polygon),
-                    steps: vec![Step::Dump, Step::call("triangulate", ["c0"]), Step::Dump],
-                    ..case.clone()
-                })
-                .collect()
-        }
-        ("split", 2..) => {
-            let kept = (0..calls.len() - 1).rev().map(|left_out| {
-                let mut kept: Vec<Step> = vec![Step::Dump];
-                let others = calls.iter().enumerate().filter(|(i, _)| *i != left_out).map(|(_, call)| (*call).clone());
-                kept.extend(others.flat_map(|call| [call, Step::Dump]));
-                Case { steps: kept, ..case.clone() }
-            });
-            kept.collect()
-        }
-        _ => Vec::new(),
-    }
 }

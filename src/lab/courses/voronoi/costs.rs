@@ -8,7 +8,7 @@
 use crate::cases::large;
 use crate::many::{self, Large};
 use crate::protocol::{Case, Start, Structure};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock};
 
 /// The cells in a row, and the rows.
 const SIDE: usize = 150;
@@ -24,17 +24,15 @@ pub(super) const LARGE: Large = Large {
     letter: 'v',
 };
 
-fn lattice() -> Start {
-    static MADE: OnceLock<Structure> = OnceLock::new();
-    let make = || Structure::HalfEdges(Arc::new(large::lattice(SIDE, SIDE)));
-    Start::known(format!("lattice {SIDE} {SIDE}"), MADE.get_or_init(make).clone())
-}
+static LATTICE: LazyLock<Start> = LazyLock::new(|| {
+    Start::known(format!("lattice {SIDE} {SIDE}"), Structure::HalfEdges(Arc::new(large::lattice(SIDE, SIDE))))
+});
 
 /// Questions about single sites, inside, on the border and at corners, then about many.
 pub(super) fn questions() -> Case {
     many::questions(
         "cell_large.lattice",
-        lattice(),
+        LATTICE.clone(),
         "cell",
         ["v22800", "v22725", "v16400", "v300", "v150", "v0"],
         BUDGET,
@@ -50,7 +48,7 @@ mod tests {
 
     #[test]
     fn the_large_triangulation_has_as_many_records_and_triangles_as_it_says() {
-        let start = lattice();
+        let start = &LATTICE;
         let table = start.half_edges().unwrap();
         assert_eq!(start.structure().map(Structure::len), Some(LARGE.records as usize));
         let asked = (0..QUESTIONS).map(|i| VertexId::new((i * table.vertices.len() / QUESTIONS) as u32));
