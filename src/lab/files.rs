@@ -18,31 +18,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// The labs that are compiled in.
-const BUNDLE: &[&str] = &[
-    #[cfg(feature = "lab-01")]
-    include_str!("bundle/01-predicates.txt"),
-    #[cfg(feature = "lab-02")]
-    include_str!("bundle/02-triangulation.txt"),
-    #[cfg(feature = "lab-03")]
-    include_str!("bundle/03-convex-hulls.txt"),
-    #[cfg(feature = "lab-04")]
-    include_str!("bundle/04-half-edge.txt"),
-    #[cfg(feature = "lab-05")]
-    include_str!("bundle/05-triangle-list.txt"),
-    #[cfg(feature = "lab-06")]
-    include_str!("bundle/06-navmesh.txt"),
-    #[cfg(feature = "lab-07")]
-    include_str!("bundle/07-delaunay.txt"),
-    #[cfg(feature = "lab-08")]
-    include_str!("bundle/08-voronoi.txt"),
-    #[cfg(feature = "lab-09")]
-    include_str!("bundle/09-two-primitives.txt"),
-    #[cfg(feature = "lab-10")]
-    include_str!("bundle/10-polyhedra.txt"),
-    #[cfg(feature = "lab-11")]
-    include_str!("bundle/11-support.txt"),
-];
 /// Where the solution is.
 const SOLUTION: &str = "solution/";
 /// Where the known mistakes are, and the line of such a file from which on it says how to make the mistake.
@@ -109,7 +84,10 @@ impl LabFiles {
     /// The names of the labs that are compiled in, in the order of their numbers.
     #[must_use]
     pub fn bundled_names() -> Vec<String> {
-        BUNDLE.iter().filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned)).collect()
+        courses::BUNDLE
+            .iter()
+            .filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned))
+            .collect()
     }
 
     /// The names of the labs that are compiled in, then of those that were added to this program, see
@@ -136,7 +114,7 @@ impl LabFiles {
         let Some(place) = known.iter().position(|lab| is_called(lab, name)) else {
             return Err(LabFilesError::Unknown { name: name.to_owned(), known });
         };
-        match BUNDLE.get(place) {
+        match courses::BUNDLE.get(place) {
             Some(archive) => Self::from_archive(archive),
             None => {
                 let files = Self::read(&Self::own_folder(&known[place]).unwrap_or_default())?.handed_out();

@@ -146,13 +146,10 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
         return Ok(Verification { problems: missing, ..Verification::default() });
     }
     let solution = lab.files.get(SOLUTION).unwrap_or_default();
-    let given = match starter(solution) {
-        Ok(text) => text,
-        Err(error) => {
-            problems.push(format!("{SOLUTION}: {error}"));
-            String::new()
-        }
-    };
+    let given = starter(solution).unwrap_or_else(|error| {
+        problems.push(format!("{SOLUTION}: {error}"));
+        String::new()
+    });
     if lab.files.get(GRADED) != Some(given.as_str()) {
         problems.push(format!("{GRADED} is not {SOLUTION} with its marked blocks replaced"));
     }
@@ -175,17 +172,11 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
     let mut rows = Vec::new();
     let mut signatures = BTreeMap::new();
     for ((variant, _), outcome) in variants.iter().zip(outcomes) {
-        let outcome = match outcome {
-            Ok(outcome) => outcome,
-            Err(error) => {
-                problems.push(format!("{}: {error}", name(variant)));
-                continue;
-            }
-        };
-        match variant {
-            Variant::Solution => problems.extend(check_solution(&outcome.report)),
-            Variant::Starter => problems.extend(check_starter(&outcome.report)),
-            Variant::Bug(bug) => {
+        match (variant, outcome) {
+            (_, Err(error)) => problems.push(format!("{}: {error}", name(variant))),
+            (Variant::Solution, Ok(outcome)) => problems.extend(check_solution(&outcome.report)),
+            (Variant::Starter, Ok(outcome)) => problems.extend(check_starter(&outcome.report)),
+            (Variant::Bug(bug), Ok(outcome)) => {
                 signatures.insert(bug.number, outcome.signature);
                 rows.push(row(bug, &outcome.report));
             }

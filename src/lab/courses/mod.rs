@@ -43,6 +43,10 @@ macro_rules! labs {
             }
         }
 
+        /// The labs that are compiled in.
+        pub(crate) const BUNDLE: &[&str] =
+            &[$(#[cfg(feature = $feature)] include_str!(concat!("../bundle/", $lab, ".txt")),)*];
+
         /// The labs of the kit, and the folder here that each of them needs.
         pub const FOLDERS: &[(&str, &str)] = &[$(($lab, stringify!($folder)),)*];
     };
@@ -50,17 +54,17 @@ macro_rules! labs {
 
 // The feature of the package, the folder in `labs`, the folder here, and the judge in it.
 labs! {
-    "lab-01" "01-predicates" predicates PREDICATES,
-    "lab-02" "02-triangulation" triangulation TRIANGULATION,
-    "lab-03" "03-convex-hulls" hulls HULLS,
-    "lab-04" "04-half-edge" half_edge HALF_EDGE,
-    "lab-05" "05-triangle-list" triangle_list TRIANGLE_LIST,
-    "lab-06" "06-navmesh" navmesh NAVMESH,
-    "lab-07" "07-delaunay" delaunay DELAUNAY,
-    "lab-08" "08-voronoi" voronoi VORONOI,
-    "lab-09" "09-two-primitives" primitives PRIMITIVES,
-    "lab-10" "10-polyhedra" polyhedra POLYHEDRA,
-    "lab-11" "11-support" support SUPPORT,
+    "lab-01" "01-predicates" predicates Predicates,
+    "lab-02" "02-triangulation" triangulation Triangulation,
+    "lab-03" "03-convex-hulls" hulls Hulls,
+    "lab-04" "04-half-edge" half_edge HalfEdge,
+    "lab-05" "05-triangle-list" triangle_list TriangleList,
+    "lab-06" "06-navmesh" navmesh NavMeshJudge,
+    "lab-07" "07-delaunay" delaunay Delaunay,
+    "lab-08" "08-voronoi" voronoi VoronoiDiagrams,
+    "lab-09" "09-two-primitives" primitives Primitives,
+    "lab-10" "10-polyhedra" polyhedra Polyhedra,
+    "lab-11" "11-support" support SupportJudge,
 }
 
 /// A lab outside of the kit.

@@ -66,6 +66,13 @@ impl Value {
         if let Self::Point(place) = self { place.as_slice().try_into().ok() } else { None }
     }
 
+    /// The numbers of so many elements, as a list.
+    #[must_use]
+    pub fn ids<const N: usize>(&self) -> Option<[u32; N]> {
+        let Self::List(values) = self else { return None };
+        values.iter().map(Self::id).collect::<Option<Vec<u32>>>()?.try_into().ok()
+    }
+
     /// As it is written, but for numbers, which need no mark in a sentence.
     #[must_use]
     pub fn words(&self) -> String {

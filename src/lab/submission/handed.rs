@@ -77,7 +77,7 @@ impl Submission {
         let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let lms = Lms::parse(&file);
         notes.extend(lms.and_then(Lms::note));
-        let marked_late = lms.and_then(Lms::mark);
+        let marked_late = lms.and_then(|lms| lms.late);
         Self { name: names[0].clone(), names, notes, marked_late, from: Source::Path(path.to_path_buf()) }
     }
 
@@ -202,11 +202,10 @@ struct Lms<'a> {
     id: &'a str,
     /// What the file was called; empty for a folder.
     file: &'a str,
-    late: bool,
+    /// Whether it is marked as late; Moodle marks nothing.
+    late: Option<bool>,
     /// A text typed into a form, not a file.
     typed: bool,
-    /// Moodle, which marks nothing as late.
-    of_moodle: bool,
 }
 
 impl<'a> Lms<'a> {
@@ -219,7 +218,7 @@ impl<'a> Lms<'a> {
         let (who, what) = text.split_once("_assignsubmission_")?;
         let (name, id) = who.rsplit_once('_').filter(|(name, id)| !name.is_empty() && is_number(id))?;
         let (kind, file) = what.split_once('_').unwrap_or((what, ""));
-        Some(Self { name, id, file, late: false, typed: kind != "file", of_moodle: true })
+        Some(Self { name, id, file, late: None, typed: kind != "file" })
     }
 
     /// `arndtanna_LATE_4711_90210_lab.rs`: name, perhaps late, person, upload, file.
@@ -229,23 +228,12 @@ impl<'a> Lms<'a> {
         let (id, rest) = late.unwrap_or(rest).split_once('_')?;
         let (upload, file) = rest.split_once('_')?;
         let numbers = [id, upload].iter().all(|number| number.len() >= 3 && is_number(number));
-        (numbers && !file.is_empty()).then_some(Self {
-            name,
-            id,
-            file,
-            late: late.is_some(),
-            typed: false,
-            of_moodle: false,
-        })
-    }
-
-    /// Whether it is marked as late. Only Canvas marks names.
-    fn mark(self) -> Option<bool> {
-        (!self.of_moodle).then_some(self.late)
+        let late = Some(late.is_some());
+        (numbers && !file.is_empty()).then_some(Self { name, id, file, late, typed: false })
     }
 
     fn note(self) -> Option<String> {
-        self.late.then(|| "the course system marks it as late".to_owned())
+        (self.late == Some(true)).then(|| "the course system marks it as late".to_owned())
     }
 }
 
@@ -326,10 +314,10 @@ fn in_archive(path: &Path) -> Result<Vec<Submission>, ClassError> {
         };
         let group = groups.entry(key).or_insert_with(|| {
             let names = short_names(top);
-            let (notes, marked_late) = (Vec::new(), lms.and_then(Lms::mark));
+            let (notes, marked_late) = (Vec::new(), lms.and_then(|lms| lms.late));
             Submission { name: names[0].clone(), names, notes, marked_late, from: Source::Packed(Vec::new()) }
         });
-        group.marked_late = group.marked_late.max(lms.and_then(Lms::mark));
+        group.marked_late = group.marked_late.max(lms.and_then(|lms| lms.late));
         if let Some(note) = lms.and_then(Lms::note).filter(|note| !group.notes.contains(note)) {
             group.notes.push(note);
         }

@@ -182,13 +182,8 @@ fn take_from(manifest: &Manifest, from: &Source) -> Result<(Intake, Vec<String>)
     let files = manifest.graded.iter().chain(&manifest.optional);
     let wanted: Vec<&str> = files.map(|file| name_of(file)).chain([MANIFEST]).collect();
     let mut intake = Intake { graded: Vec::new(), optional: Vec::new(), notes: Vec::new() };
-    let mut opened_before = false;
-    let mut parts = match parts_of(from, &wanted)? {
-        Found::Parts(parts) => parts,
-        Found::Opened(parts) => {
-            opened_before = true;
-            parts
-        }
+    let (mut parts, opened_before) = match parts_of(from, &wanted)? {
+        Found::Parts(parts, opened) => (parts, opened),
         Found::File(path) => {
             for file in &manifest.graded {
                 intake.graded.push((file.clone(), text(&Content::OnDisk(path.clone()), file)?));
@@ -246,9 +241,8 @@ fn of_another_lab(parts: &[Part], manifest: &Manifest) -> Option<String> {
 enum Found {
     /// A single file, whatever it is called.
     File(PathBuf),
-    Parts(Vec<Part>),
-    /// The parts of an archive: another one in it is not opened.
-    Opened(Vec<Part>),
+    /// And whether they are those of an archive: another one in it is not opened.
+    Parts(Vec<Part>, bool),
 }
 
 fn parts_of(from: &Source, wanted: &[&str]) -> Result<Found, IntakeError> {
@@ -256,9 +250,9 @@ fn parts_of(from: &Source, wanted: &[&str]) -> Result<Found, IntakeError> {
         let data = fs::metadata(path).map_err(|error| unreadable(path, error))?;
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         Ok(if data.is_dir() {
-            Found::Parts(parts::of_folder(path, wanted).map_err(|error| unreadable(path, error))?)
+            Found::Parts(parts::of_folder(path, wanted).map_err(|error| unreadable(path, error))?, false)
         } else if parts::kind(&name) != Kind::None {
-            Found::Opened(opened(&Part { path: name, content: Content::OnDisk(path.to_path_buf()) }, wanted)?)
+            Found::Parts(opened(&Part { path: name, content: Content::OnDisk(path.to_path_buf()) }, wanted)?, true)
         } else {
             // Somebody named it: if it is a link, that one is followed.
             Found::File(path.canonicalize().map_err(|error| unreadable(path, error))?)
@@ -278,11 +272,11 @@ fn parts_of(from: &Source, wanted: &[&str]) -> Result<Found, IntakeError> {
                         parts.push(Part { path: name.clone(), content: Content::OnDisk(path.clone()) });
                     }
                 }
-                Ok(Found::Parts(parts))
+                Ok(Found::Parts(parts, false))
             }
         },
         #[cfg(feature = "grade")]
-        Source::Packed(parts) => Ok(Found::Parts(parts.clone())),
+        Source::Packed(parts) => Ok(Found::Parts(parts.clone(), false)),
         #[cfg(feature = "grade")]
         Source::Link(to) => Err(IntakeError::Link { to: to.clone() }),
     }

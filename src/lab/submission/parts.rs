@@ -140,19 +140,12 @@ pub(super) enum Kind {
 
 /// The kind of an archive of this name.
 pub(super) fn kind(name: &str) -> Kind {
+    const FOREIGN: &[&str] = &[".rar", ".7z", ".tar.xz", ".txz", ".tar.bz2", ".tbz2", ".tar.zst", ".gz", ".xz", ".bz2"];
+    let known = [(&[".zip"][..], Kind::Zip), (&[".tar.gz", ".tgz"], Kind::TarGz), (&[".tar"], Kind::Tar)];
     let name = name.to_lowercase();
-    let ends = |ends: &[&str]| ends.iter().any(|end| name.len() > end.len() && name.ends_with(end));
-    if ends(&[".zip"]) {
-        Kind::Zip
-    } else if ends(&[".tar.gz", ".tgz"]) {
-        Kind::TarGz
-    } else if ends(&[".tar"]) {
-        Kind::Tar
-    } else if ends(&[".rar", ".7z", ".tar.xz", ".txz", ".tar.bz2", ".tbz2", ".tar.zst", ".gz", ".xz", ".bz2"]) {
-        Kind::Foreign
-    } else {
-        Kind::None
-    }
+    let is_end = |end: &&str| name.len() > end.len() && name.ends_with(end);
+    let mut all = known.into_iter().chain([(FOREIGN, Kind::Foreign)]);
+    all.find(|(ends, _)| ends.iter().any(is_end)).map_or(Kind::None, |(_, kind)| kind)
 }
 
 #[cfg(test)]

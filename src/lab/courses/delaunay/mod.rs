@@ -22,4 +22,4 @@ mod mistakes;
 mod picture;
 mod suites;
 
-pub use suites::{DELAUNAY, Delaunay};
+pub use suites::Delaunay;

@@ -35,9 +35,6 @@ const LARGE: &[Function] = &[Function { word: "delaunify", test: costs::LARGE, w
 /// The judge of lab 07.
 pub struct Delaunay;
 
-/// The judge of lab 07.
-pub static DELAUNAY: Delaunay = Delaunay;
-
 impl Judge for Delaunay {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |name, tests, case: CaseOf, more: Vec<Case>| {
@@ -222,7 +219,7 @@ mod tests {
         let all = meshes::fixed();
         let sites = all.iter().find(|mesh| mesh.name == "sites").unwrap();
         let case = Case::new("x", sites.start()).step(Step::Dump).step(Step::call("is_legal", ["h9"]));
-        let shorter = DELAUNAY.shorter(&case);
+        let shorter = Delaunay.shorter(&case);
         // 25 edges, 8 of them on the border; each inner one is asked by both halves.
         assert_eq!(shorter.len(), 2 * (25 - 8));
         assert!(

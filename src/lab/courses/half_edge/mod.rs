@@ -24,7 +24,7 @@ mod suites;
 mod walk;
 mod walks;
 
-pub use suites::{HALF_EDGE, HalfEdge};
+pub use suites::HalfEdge;
 
 use crate::checks::align::align;
 use crate::fault::Exchange;

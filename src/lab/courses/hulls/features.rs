@@ -77,10 +77,7 @@ fn of_points(function: &str, points: &[Point], set: &mut FeatureSet) {
     let n = hull.len();
     let mut sorted = points.to_vec();
     sorted.sort_by(|p, q| left_to_right(*p, *q));
-    let is_on = |p: &Point, i: usize| {
-        let (a, b) = (hull[i], hull[(i + 1) % n]);
-        *p != a && *p != b && orientation(a, b, *p).is_eq() && is_between(a, *p, b)
-    };
+    let is_on = |p: &Point, i: usize| *p != hull[i] && *p != hull[(i + 1) % n] && hull::is_on_side(&hull, i, *p);
     // A large set has one feature that says so; the others would take long.
     let few = if points.len() <= 400 { points } else { &[] };
     let other = |found: Vec<Point>| hull::of_corners(&hull, points, &found).is_some();

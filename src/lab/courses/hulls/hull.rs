@@ -48,15 +48,8 @@ fn explain(expected: &[Point], points: &[Point], found: &[Point]) -> (&'static s
         let words = if i + 1 == found.len() && *p == found[0] { "at its end, too" } else { "twice" };
         return ("twice", format!("{} is in the list {words}", named(*p)));
     }
-    let n = expected.len();
-    let on_a_side = |p: &Point| {
-        (0..n).any(|i| {
-            let (a, b) = (expected[i], expected[(i + 1) % n]);
-            orientation(a, b, *p).is_eq() && is_between(a, *p, b)
-        })
-    };
     if let Some(p) = found.iter().find(|p| !among(expected, p)) {
-        return if on_a_side(p) {
+        return if (0..expected.len()).any(|i| is_on_side(expected, i, *p)) {
             ("side", format!("{} lies on a side of the hull, and is no corner", named(*p)))
         } else {
             ("inside", format!("{} lies inside of the hull", named(*p)))
@@ -66,6 +59,12 @@ fn explain(expected: &[Point], points: &[Point], found: &[Point]) -> (&'static s
         Some(p) => ("missing", format!("{} is a corner, and is not in the list", named(*p))),
         None => ("order", "the corners are right, their order is not".to_owned()),
     }
+}
+
+/// Whether a point lies on the side from a corner of a hull, its ends included.
+pub(super) fn is_on_side(hull: &[Point], i: usize, p: Point) -> bool {
+    let (a, b) = (hull[i], hull[(i + 1) % hull.len()]);
+    orientation(a, b, p).is_eq() && is_between(a, p, b)
 }
 
 fn keys(points: &[Point]) -> Vec<[u64; 2]> {

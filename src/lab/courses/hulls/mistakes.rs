@@ -7,7 +7,7 @@
 //! Nothing here decides a verdict. A feature of a call says that such a mistake shows in it; if the calls in which it
 //! shows are those that fail, the report says so.
 
-use super::polygons::{Corner, is_between};
+use super::polygons::{Corner, is_between, is_beyond};
 use super::tangents::common;
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::{left_to_right, orientation};
@@ -108,11 +108,7 @@ pub(super) fn first_met(corners: &[Corner], p: Point) -> Option<[u32; 2]> {
 /// Whether only the last side, from the first corner on, shows that the point is outside.
 pub(super) fn only_last_side(corners: &[Corner], p: Point) -> bool {
     let n = corners.len();
-    let shows = |i: usize| {
-        let (a, b) = (corners[i].place, corners[(i + 1) % n].place);
-        let side = orientation(a, b, p);
-        side.is_lt() || side.is_eq() && !is_between(a, p, b)
-    };
+    let shows = |i: usize| is_beyond(corners, i, p);
     n > 1 && shows(n - 1) && !(0..n - 1).any(shows)
 }
 

@@ -21,4 +21,4 @@ mod starts;
 mod suites;
 mod tangents;
 
-pub use suites::{HULLS, Hulls};
+pub use suites::Hulls;

@@ -67,11 +67,14 @@ pub(super) fn is_between(a: Point, b: Point, c: Point) -> bool {
 
 /// Whether a point is outside of the convex polygon with these corners.
 pub(super) fn is_outside(corners: &[Corner], p: Point) -> bool {
-    (0..corners.len()).any(|i| {
-        let (a, b) = (corners[i].place, corners[(i + 1) % corners.len()].place);
-        let side = orientation(a, b, p);
-        side.is_lt() || side.is_eq() && !is_between(a, p, b)
-    })
+    (0..corners.len()).any(|i| is_beyond(corners, i, p))
+}
+
+/// Whether the side from a corner shows that a point is outside.
+pub(super) fn is_beyond(corners: &[Corner], i: usize, p: Point) -> bool {
+    let (a, b) = (corners[i].place, corners[(i + 1) % corners.len()].place);
+    let side = orientation(a, b, p);
+    side.is_lt() || side.is_eq() && !is_between(a, p, b)
 }
 
 /// A point as it stands in a sentence.

@@ -25,9 +25,6 @@ const HALVES: &str = "hull_by_halves";
 /// The judge of lab 03.
 pub struct Hulls;
 
-/// The judge of lab 03.
-pub static HULLS: Hulls = Hulls;
-
 impl Judge for Hulls {
     fn schema(&self) -> Schema {
         Schema::Records(&SCHEMA)
@@ -242,7 +239,7 @@ mod tests {
     #[test]
     fn a_failing_case_is_made_shorter_by_leaving_points_out() {
         let case = points_case("x", "graham_scan", &[[0., 0.], [1., 2.], [3., 0.]].map(Point::from));
-        let shorter: Vec<String> = HULLS.shorter(&case).iter().map(|case| case.start.text().to_owned()).collect();
+        let shorter: Vec<String> = Hulls.shorter(&case).iter().map(|case| case.start.text().to_owned()).collect();
         assert_eq!(shorter, ["points 1 2 3 0", "points 0 0 3 0", "points 0 0 1 2"]);
     }
 
@@ -255,7 +252,7 @@ mod tests {
             let Some(Step::Call { arguments, .. }) = case.steps.first() else { return String::new() };
             format!("{}: {}", case.start.text(), arguments.join(" "))
         };
-        let shorter: Vec<String> = HULLS.shorter(&case).iter().map(told).collect();
+        let shorter: Vec<String> = Hulls.shorter(&case).iter().map(told).collect();
         assert_eq!(
             shorter,
             [

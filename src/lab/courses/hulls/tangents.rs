@@ -106,15 +106,8 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
 pub(super) fn wrong_common(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let [first, second] = asked_two(exchange)?;
     let expected = common(&first, &second)?;
-    let pair = |value: &Value| match value {
-        Value::List(list) => match list.as_slice() {
-            [Value::Id(a), Value::Id(b)] => Some([*a, *b]),
-            _ => None,
-        },
-        _ => None,
-    };
     let [lower, upper] = values else { return Some(Wrong::kind("two tangents")) };
-    let (Some(lower), Some(upper)) = (pair(lower), pair(upper)) else { return Some(Wrong::kind("two tangents")) };
+    let (Some(lower), Some(upper)) = (lower.ids(), upper.ids()) else { return Some(Wrong::kind("two tangents")) };
     let found = [lower, upper];
     if found == expected {
         return None;

@@ -178,11 +178,7 @@ fn wrong_portals(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let (table, corridor) = (table(exchange)?, asked(exchange).ids);
     let right: Vec<[u32; 2]> =
         portals(table, &corridor)?.into_iter().map(|portal| portal.map(VertexId::number)).collect();
-    let pair = |value: &Value| match value {
-        Value::List(two) => ids(two).and_then(|two| <[u32; 2]>::try_from(two).ok()),
-        _ => None,
-    };
-    let Some(found) = values.iter().map(pair).collect::<Option<Vec<[u32; 2]>>>() else {
+    let Some(found) = values.iter().map(Value::ids).collect::<Option<Vec<[u32; 2]>>>() else {
         return Some(Wrong::kind("a list of portals"));
     };
     if found == right {

@@ -2,13 +2,13 @@
 
 use super::answers::{asked, is_on_border, path, sleeve_of};
 use super::funnel::{Sleeve, shortest};
-use super::mesh::{Spot, corridor, is_triangle, neighbours, portals, same, sides, triangles_of, turn};
-use super::mistakes::{Beyond, Funnel};
+use super::mesh::{Spot, corridor, is_triangle, neighbours, portals, same, triangles_of, turn};
+use super::mistakes::{Beyond, Funnel, walk};
 use super::mistakes::{deep_is_longer, funnel_goes_wrong, scan_goes_wrong, takes_0_for_outer, walk_goes_wrong};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
-use dcel_kit::topology::{Table, View};
-use dcel_kit::{FaceId, HalfEdgeId};
+use dcel_kit::FaceId;
+use dcel_kit::topology::Table;
 use std::cmp::Ordering;
 
 crate::features! {
@@ -126,7 +126,8 @@ pub(super) fn of(_: &[&Exchange], exchange: &Exchange) -> Option<u128> {
             if let &[from] = ids {
                 let all = triangles_of(table, p);
                 set.add(Word::ElsewhereStart, !all.contains(&from));
-                set.add(Word::Barred, !all.contains(&from) && is_barred(table, from, p));
+                let comes_to_a_wall = walk(table, from, p, Beyond::Exactly).is_some_and(|(_, wall)| wall);
+                set.add(Word::Barred, !all.contains(&from) && comes_to_a_wall);
             }
         }
         _ => {}
@@ -144,25 +145,6 @@ fn add_point(table: &Table, p: Spot, set: &mut FeatureSet) {
     set.add(Word::Inside, !all.is_empty() && !on_border);
     let last = (0..table.faces.len() as u32).rev().find(|&f| is_triangle(table, f));
     set.add(Word::InLast, all.len() == 1 && last == all.first().copied());
-}
-
-/// Whether a walk that always crosses the first side with the point on its right comes to a wall.
-fn is_barred(table: &Table, from: u32, p: Spot) -> bool {
-    let mut at = from;
-    for _ in 0..table.faces.len() {
-        let place = |h: HalfEdgeId| table.origin(h).map(|v| super::mesh::place(table, v));
-        let side = sides(table, at).into_iter().find(|&h| {
-            let ends = place(h).zip(table.next(h).and_then(place));
-            ends.is_some_and(|(a, b)| turn(a, b, p) == Ordering::Less)
-        });
-        let Some(side) = side else { return false };
-        let Some(beyond) = table.twin(side).and_then(|twin| table.face(twin)) else { return false };
-        if !is_triangle(table, beyond.number()) {
-            return true;
-        }
-        at = beyond.number();
-    }
-    false
 }
 
 /// Whether a triangle of a corridor has a neighbour outside of it.

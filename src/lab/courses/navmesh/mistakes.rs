@@ -19,9 +19,11 @@ fn rounded(a: Spot, b: Spot, c: Spot) -> Ordering {
     product.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }
 
-/// How it is told wrongly whether a point is beyond a side.
+/// How it is told whether a point is beyond a side.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beyond {
+    /// Rightly.
+    Exactly,
     /// A point on the line of a side counts as beyond it.
     OnTheLine,
     /// The sign of a rounded product decides.
@@ -29,11 +31,12 @@ pub(super) enum Beyond {
 }
 
 /// The first side of a triangle that seems to have a point beyond it.
-fn wrong_side(table: &Table, f: u32, p: Spot, wrong: Beyond) -> Option<HalfEdgeId> {
+fn side_before(table: &Table, f: u32, p: Spot, how: Beyond) -> Option<HalfEdgeId> {
     let at = |h: HalfEdgeId| table.origin(h).map(|v| place(table, v));
     sides(table, f).into_iter().find(|&h| {
         let ends = at(h).zip(table.next(h).and_then(at));
-        ends.is_some_and(|(a, b)| match wrong {
+        ends.is_some_and(|(a, b)| match how {
+            Beyond::Exactly => turn(a, b, p).is_lt(),
             Beyond::OnTheLine => turn(a, b, p).is_le(),
             Beyond::Rounded => rounded(a, b, p).is_lt(),
         })
@@ -43,24 +46,33 @@ fn wrong_side(table: &Table, f: u32, p: Spot, wrong: Beyond) -> Option<HalfEdgeI
 /// Whether a scan over all triangles with this mistake answers wrongly.
 pub(super) fn scan_goes_wrong(table: &Table, p: Spot, wrong: Beyond) -> bool {
     let mut all = (0..table.faces.len() as u32).filter(|&f| is_triangle(table, f));
-    let found = all.find(|&f| wrong_side(table, f, p, wrong).is_none());
+    let found = all.find(|&f| side_before(table, f, p, wrong).is_none());
     let right = triangles_of(table, p);
     found.map_or(!right.is_empty(), |f| !right.contains(&f))
 }
 
 /// Whether a walk with this mistake, that scans behind a wall, answers wrongly or does not come back.
 pub(super) fn walk_goes_wrong(table: &Table, from: u32, p: Spot, wrong: Beyond) -> bool {
+    match walk(table, from, p, wrong) {
+        Some((f, false)) => !triangles_of(table, p).contains(&f),
+        Some((_, true)) => scan_goes_wrong(table, p, wrong),
+        None => true,
+    }
+}
+
+/// Where a walk ends that always crosses the first side with a point beyond it: in a triangle that has none, or behind a
+/// wall, and whether it is that. `None` if it does not come back.
+pub(super) fn walk(table: &Table, from: u32, p: Spot, how: Beyond) -> Option<(u32, bool)> {
     let mut at = from;
     // One that meets a triangle twice would go round for ever.
     for _ in 0..=table.faces.len() {
-        let Some(side) = wrong_side(table, at, p, wrong) else { return !triangles_of(table, p).contains(&at) };
-        let Some(beyond) = table.twin(side).and_then(|twin| table.face(twin)) else { return true };
-        if !is_triangle(table, beyond.number()) {
-            return scan_goes_wrong(table, p, wrong);
+        let Some(side) = side_before(table, at, p, how) else { return Some((at, false)) };
+        at = table.face(table.twin(side)?)?.number();
+        if !is_triangle(table, at) {
+            return Some((at, true));
         }
-        at = beyond.number();
     }
-    true
+    None
 }
 
 /// Whether a search that goes deep first finds a longer corridor.

@@ -16,4 +16,4 @@ mod mistakes;
 mod picture;
 mod suites;
 
-pub use suites::{NAVMESH, NavMeshJudge};
+pub use suites::NavMeshJudge;

@@ -24,9 +24,6 @@ use std::sync::Arc;
 /// The judge of lab 06.
 pub struct NavMeshJudge;
 
-/// The judge of lab 06.
-pub static NAVMESH: NavMeshJudge = NavMeshJudge;
-
 /// How many random meshes are asked for each test, and how many sleeves.
 const MESHES: usize = 8;
 const SLEEVES: usize = 120;

@@ -27,4 +27,4 @@ mod suites;
 mod surface;
 mod walks;
 
-pub use suites::{POLYHEDRA, Polyhedra};
+pub use suites::Polyhedra;

@@ -41,9 +41,6 @@ const IN_LARGE: &[Function] = &[Function { word: "vertices_around", test: LARGE,
 /// The judge of lab 10.
 pub struct Polyhedra;
 
-/// The judge of lab 10.
-pub static POLYHEDRA: Polyhedra = Polyhedra;
-
 /// What the surfaces of a test are like.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Kinds {

@@ -50,11 +50,7 @@ fn table(surface: &Surface) -> Option<Vec<[u32; 9]>> {
 
 pub(super) fn winged_edges(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let expected = table(&Surface::of(exchange.records_before()?))?;
-    let row = |value: &Value| match value {
-        Value::List(cells) => cells.iter().map(Value::id).collect::<Option<Vec<u32>>>()?.try_into().ok(),
-        _ => None,
-    };
-    let Some(found) = values.iter().map(row).collect::<Option<Vec<[u32; 9]>>>() else {
+    let Some(found) = values.iter().map(Value::ids).collect::<Option<Vec<[u32; 9]>>>() else {
         return Some(Wrong::kind("a list of rows with nine numbers"));
     };
     if found.len() != expected.len() {

@@ -13,4 +13,4 @@ mod points;
 mod suites;
 pub mod sum;
 
-pub use suites::{PREDICATES, Predicates};
+pub use suites::Predicates;

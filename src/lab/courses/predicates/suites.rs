@@ -20,9 +20,6 @@ const RANDOM: usize = 4;
 /// The judge of lab 01.
 pub struct Predicates;
 
-/// The judge of lab 01.
-pub static PREDICATES: Predicates = Predicates;
-
 /// There are no records.
 static NOTHING: RecordSchema = RecordSchema { singles: &[], tables: &[] };
 

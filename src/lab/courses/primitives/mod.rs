@@ -21,4 +21,4 @@ mod revolve;
 mod shorter;
 mod suites;
 
-pub use suites::{PRIMITIVES, Primitives};
+pub use suites::Primitives;

@@ -87,13 +87,7 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let numbers: Vec<f64> = exchange.words.iter().filter_map(|word| word.parse().ok()).collect();
     let rows: Vec<[f64; 2]> = numbers.chunks_exact(2).map(|row| [row[0], row[1]]).collect();
     let expected = places(&table, h, &rows, 1.0)?;
-    let found: Option<Vec<[f64; 3]>> = values
-        .iter()
-        .map(|value| match value {
-            Value::Point(place) => <[f64; 3]>::try_from(place.as_slice()).ok(),
-            _ => None,
-        })
-        .collect();
+    let found: Option<Vec<[f64; 3]>> = values.iter().map(Value::place).collect();
     let Some(found) = found else { return Some(Wrong::kind("a list of places")) };
     if found.len() != expected.len() {
         let because = format!("there are {} vertices, and {} places", expected.len(), found.len());

@@ -31,9 +31,6 @@ const FUNCTIONS: &[Function] = &[Function { word: REVOLVE, test: REVOLVE, wrong:
 /// The judge of lab 09.
 pub struct Primitives;
 
-/// The judge of lab 09.
-pub static PRIMITIVES: Primitives = Primitives;
-
 /// Small surfaces of both kinds.
 fn surfaces() -> Vec<Table> {
     let seed = Some(Table::from_view(&Dcel::torus()));

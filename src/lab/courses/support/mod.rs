@@ -16,4 +16,4 @@ mod picture;
 mod solids;
 mod suites;
 
-pub use suites::{SUPPORT, SupportJudge};
+pub use suites::SupportJudge;

@@ -19,9 +19,6 @@ use std::sync::LazyLock;
 /// The judge of lab 11.
 pub struct SupportJudge;
 
-/// The judge of lab 11.
-pub static SUPPORT: SupportJudge = SupportJudge;
-
 /// How many random sequences are asked for each test of edits, and of how many edits.
 const SEQUENCES: usize = 12;
 const EDITS: usize = 16;
@@ -419,7 +416,7 @@ mod tests {
             let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. }));
             calls.cloned().collect::<Vec<_>>()
         };
-        let (all, shorter) = (calls(&case), SUPPORT.shorter(&case));
+        let (all, shorter) = (calls(&case), SupportJudge.shorter(&case));
         assert!(shorter.len() > 5, "{}", shorter.len());
         for short in &shorter {
             assert!(calls(short).len() < all.len() && calls(short).last() == all.last(), "{}", short.script());
@@ -463,7 +460,7 @@ mod tests {
     #[test]
     fn only_what_is_there_is_removed() {
         let mut calls: BTreeMap<&str, usize> = BTreeMap::new();
-        for suite in SUPPORT.suites(&Plan::with_seed(3)) {
+        for suite in SupportJudge.suites(&Plan::with_seed(3)) {
             for asked in &suite.asked {
                 assert_eq!(illegal(&asked.case), Vec::<String>::new());
                 let made = asked.case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();

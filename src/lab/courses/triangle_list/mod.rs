@@ -22,4 +22,4 @@ mod steps;
 mod suites;
 mod whole;
 
-pub use suites::{TRIANGLE_LIST, TriangleList};
+pub use suites::TriangleList;

@@ -23,9 +23,6 @@ const DRAWN: usize = 100;
 /// The judge of lab 05.
 pub struct TriangleList;
 
-/// The judge of lab 05.
-pub static TRIANGLE_LIST: TriangleList = TriangleList;
-
 /// Whether a list may be asked for a test.
 type Fits = fn(&Soup) -> bool;
 /// The case of a list; the generator decides how its half-edges are numbered.

@@ -1,6 +1,6 @@
 //! What can be said of a call of lab 02 before it is made.
 
-use super::geometry::{Diagonal, diagonal, ear, turn};
+use super::geometry::{Diagonal, cross, diagonal, ear, turn};
 use super::lists::{cycle, next, place, places};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
@@ -128,10 +128,8 @@ fn add_diagonal(set: &mut FeatureSet, polygon: &[[f64; 2]], u: usize, v: usize) 
     let n = polygon.len();
     let others = (0..n).filter(|k| ![u, v].contains(k));
     let (a, b) = (polygon[u], polygon[v]);
-    let crossed = others.clone().filter(|k| ![u, v].contains(&((k + 1) % n))).any(|k| {
-        let (c, d) = (polygon[k], polygon[(k + 1) % n]);
-        turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
-    });
+    let apart = |k: &usize| ![u, v].contains(&((k + 1) % n));
+    let crossed = others.clone().filter(apart).any(|k| cross([a, b], [polygon[k], polygon[(k + 1) % n]]));
     let touched = others.clone().any(|k| super::geometry::on_segment(polygon[k], a, b));
     set.either(Word::Yes, Word::No, kind == Diagonal::Yes);
     set.add(Word::Same, kind == Diagonal::Same);

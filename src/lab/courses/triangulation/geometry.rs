@@ -17,6 +17,12 @@ pub fn on_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> bool {
     between(0) && between(1) && turn(a, b, p) == 0
 }
 
+/// Whether two segments meet inside of both.
+#[must_use]
+pub fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
+}
+
 dcel_kit::named! {
     /// What is wrong with a line between two corners of a polygon as a diagonal.
     #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -60,10 +66,7 @@ pub fn diagonal(polygon: &[[f64; 2]], i: usize, j: usize) -> Diagonal {
     if others.clone().any(|k| on_segment(polygon[k], a, b)) {
         return Diagonal::Touches;
     }
-    let crosses = |k: usize| {
-        let (c, d) = (polygon[k], polygon[(k + 1) % n]);
-        turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
-    };
+    let crosses = |k: usize| cross([a, b], [polygon[k], polygon[(k + 1) % n]]);
     if others.filter(|k| ![i, j].contains(&((k + 1) % n))).any(crosses) { Diagonal::Crosses } else { Diagonal::Yes }
 }
 

@@ -16,4 +16,4 @@ mod soups;
 mod splits;
 mod suites;
 
-pub use suites::{TRIANGULATION, Triangulation};
+pub use suites::Triangulation;

@@ -1,7 +1,6 @@
 //! The cases of lab 02, test by test.
 
-use super::geometry::Diagonal;
-use super::geometry::{diagonal, ear};
+use super::geometry::{Diagonal, diagonal, ear};
 use super::lists::{SCHEMA, convex, cycle, of_places, places, start};
 use super::polygons::{DRAWING, comb, random_star, rounding, small, spiral};
 use super::splits::refusal;
@@ -36,9 +35,6 @@ const SPLITS: usize = 6;
 
 /// The judge of lab 02.
 pub struct Triangulation;
-
-/// The judge of lab 02.
-pub static TRIANGULATION: Triangulation = Triangulation;
 
 impl Judge for Triangulation {
     fn schema(&self) -> Schema {
@@ -271,12 +267,16 @@ fn corner_cases() -> Vec<Case> {
     cases
 }
 
+/// Corners on a parabola.
+fn regular(n: usize) -> Vec<[f64; 2]> {
+    (0..n).map(|i| [i as f64, (i * i) as f64]).collect()
+}
+
 fn split_cases() -> Vec<Case> {
     let one = |name: &str, polygon: &[[f64; 2]], words: &str| {
         let case = shown(format!("split.{name}"), start(polygon));
         case.step(Step::of_line(&format!("split {words}"))).step(Step::Dump)
     };
-    let regular = |n: usize| (0..n).map(|i| [i as f64, (i * i) as f64]).collect::<Vec<_>>();
     let mut cases = vec![
         one("across", &regular(5), "c0 c2"),
         one("back", &regular(5), "c2 c0"),
@@ -316,9 +316,8 @@ fn sequence_cases() -> Vec<Case> {
         ("copies", &["c0 c4", "c1.prev c1.next.next", "c1.prev c1", "c4 c4.prev.prev"]),
         ("there_and_back", &["c5 c1", "c1 c5", "c2 c0", "c5.next.next c5"]),
     ];
-    let polygon: Vec<[f64; 2]> = (0..8).map(|i| [f64::from(i), f64::from(i * i)]).collect();
     let case = |(name, calls): (&str, &[&str])| {
-        let case = shown(format!("{SEQUENCE}{name}"), start(&polygon));
+        let case = shown(format!("{SEQUENCE}{name}"), start(&regular(8)));
         calls.iter().fold(case, |case, pair| case.step(Step::of_line(&format!("split {pair}"))).step(Step::Dump))
     };
     lists.into_iter().map(case).collect()
@@ -361,30 +360,21 @@ fn random(name: &str, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed, name);
     let mut case = |k: usize| {
         let polygon = random_star(&mut random, SIZES[0] + random_size(k));
+        let corner = |random: &mut Random| format!("c{}", random.below(polygon.len()));
+        let case = shown(format!("{name}.random.{k}"), start(&polygon));
         match name {
             "split" if k % 2 == 1 => {
                 let case = shown(format!("{SEQUENCE}random.{k}"), start(&polygon));
                 (0..SPLITS).fold(case, |case, _| {
-                    let first = random.below(polygon.len());
+                    let first = corner(&mut random);
                     let steps = 1 + random.below(5);
-                    let words = format!("split c{first} c{first}{}", ".next".repeat(steps));
+                    let words = format!("split {first} {first}{}", ".next".repeat(steps));
                     case.step(Step::of_line(&words)).step(Step::Dump)
                 })
             }
-            "triangulate" => {
-                let case = shown(format!("{name}.random.{k}"), start(&polygon));
-                let first = random.below(polygon.len());
-                case.step(Step::call("triangulate", [format!("c{first}")])).step(Step::Dump)
-            }
-            "split" => {
-                let case = shown(format!("{name}.random.{k}"), start(&polygon));
-                let [u, v] = [(); 2].map(|()| random.below(polygon.len()));
-                case.step(Step::of_line(&format!("split c{u} c{v}"))).step(Step::Dump)
-            }
-            "corners_of" => {
-                let case = shown(format!("{name}.random.{k}"), start(&polygon));
-                case.step(Step::call("corners_of", [format!("c{}", random.below(polygon.len()))]))
-            }
+            "triangulate" => case.step(Step::call(name, [corner(&mut random)])).step(Step::Dump),
+            "split" => case.step(Step::call(name, [(); 2].map(|()| corner(&mut random)))).step(Step::Dump),
+            "corners_of" => case.step(Step::call(name, [corner(&mut random)])),
             _ => all_calls(name, &format!("random.{k}"), &polygon),
         }
     };

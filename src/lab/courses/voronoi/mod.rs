@@ -19,4 +19,4 @@ mod picture;
 mod starts;
 mod suites;
 
-pub use suites::{VORONOI, VoronoiDiagrams};
+pub use suites::VoronoiDiagrams;

@@ -33,9 +33,6 @@ const IN_LARGE: &[Function] = &[Function { word: "cell", test: LARGE, wrong: cel
 /// The judge of lab 08.
 pub struct VoronoiDiagrams;
 
-/// The judge of lab 08.
-pub static VORONOI: VoronoiDiagrams = VoronoiDiagrams;
-
 impl Judge for VoronoiDiagrams {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |function: &'static Function| {
