@@ -33,7 +33,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 macro_rules! labs {
-    ($($feature:literal $lab:literal $folder:ident $judge:ident,)*) => {
+    ($($feature:literal $lab:literal $folder:ident $judge:ident $bundle:expr,)*) => {
         /// The judge of a lab, by the name of its folder: one of the kit's, or one that [`add_own`] has added.
         #[must_use]
         pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
@@ -44,27 +44,27 @@ macro_rules! labs {
         }
 
         /// The labs that are compiled in.
-        pub(crate) const BUNDLE: &[&str] =
-            &[$(#[cfg(feature = $feature)] include_str!(concat!("../bundle/", $lab, ".txt")),)*];
+        pub(crate) const BUNDLE: &[&str] = &[$(#[cfg(feature = $feature)] $bundle,)*];
 
         /// The labs of the kit, and the folder here that each of them needs.
         pub const FOLDERS: &[(&str, &str)] = &[$(($lab, stringify!($folder)),)*];
     };
 }
 
-// The feature of the package, the folder in `labs`, the folder here, and the judge in it.
+// The feature of the package, the folder in `labs`, the folder here, the judge in it, and what it is made of. A path is
+// written out: the kit that students get is found by it.
 labs! {
-    "lab-01" "01-predicates" predicates Predicates,
-    "lab-02" "02-triangulation" triangulation Triangulation,
-    "lab-03" "03-convex-hulls" hulls Hulls,
-    "lab-04" "04-half-edge" half_edge HalfEdge,
-    "lab-05" "05-triangle-list" triangle_list TriangleList,
-    "lab-06" "06-navmesh" navmesh NavMeshJudge,
-    "lab-07" "07-delaunay" delaunay Delaunay,
-    "lab-08" "08-voronoi" voronoi VoronoiDiagrams,
-    "lab-09" "09-two-primitives" primitives Primitives,
-    "lab-10" "10-polyhedra" polyhedra Polyhedra,
-    "lab-11" "11-support" support SupportJudge,
+    "lab-01" "01-predicates" predicates Predicates include_str!("../bundle/01-predicates.txt"),
+    "lab-02" "02-triangulation" triangulation Triangulation include_str!("../bundle/02-triangulation.txt"),
+    "lab-03" "03-convex-hulls" hulls Hulls include_str!("../bundle/03-convex-hulls.txt"),
+    "lab-04" "04-half-edge" half_edge HalfEdge include_str!("../bundle/04-half-edge.txt"),
+    "lab-05" "05-triangle-list" triangle_list TriangleList include_str!("../bundle/05-triangle-list.txt"),
+    "lab-06" "06-navmesh" navmesh NavMeshJudge include_str!("../bundle/06-navmesh.txt"),
+    "lab-07" "07-delaunay" delaunay Delaunay include_str!("../bundle/07-delaunay.txt"),
+    "lab-08" "08-voronoi" voronoi VoronoiDiagrams include_str!("../bundle/08-voronoi.txt"),
+    "lab-09" "09-two-primitives" primitives Primitives include_str!("../bundle/09-two-primitives.txt"),
+    "lab-10" "10-polyhedra" polyhedra Polyhedra include_str!("../bundle/10-polyhedra.txt"),
+    "lab-11" "11-support" support SupportJudge include_str!("../bundle/11-support.txt"),
 }
 
 /// A lab outside of the kit.

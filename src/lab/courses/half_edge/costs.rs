@@ -71,17 +71,12 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
             }
             (Step::Many { function, count, budget }, Reply::Many(many)) => {
                 let Some(table) = case.start.half_edges() else { continue };
-                let (words, tag, kind) = match wrong_of_many(table, function, *count, *budget, many) {
-                    Some(wrong) => wrong,
-                    None => continue,
-                };
-                out.push(fault(kind, tag, words));
+                let wrong = wrong_of_many(table, function, *count, *budget, many);
+                out.extend(wrong.map(|(words, tag, kind)| fault(kind, tag, words)));
             }
             (Step::Many { function, .. }, Reply::Called(Called { end, .. })) => {
-                if let Some(kind) = FaultKind::of_end(end) {
-                    let words = format!("{function}, asked for many elements of a large structure, {}", end.words());
-                    out.push(fault(kind, "end", words));
-                }
+                let words = format!("{function}, asked for many elements of a large structure, {}", end.words());
+                out.extend(FaultKind::of_end(end).map(|kind| fault(kind, "end", words)));
             }
             _ => {}
         }

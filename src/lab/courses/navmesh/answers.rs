@@ -17,7 +17,6 @@ use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, VertexId};
-use std::sync::Arc;
 
 /// All functions of the lab.
 pub(super) const FUNCTIONS: &[Function] = &[
@@ -55,10 +54,6 @@ pub(super) fn sleeve_of(exchange: &Exchange) -> Option<Sleeve> {
     Some(Sleeve { start: *start, goal: *goal, portals })
 }
 
-fn table<'a>(exchange: &Exchange<'a>) -> Option<&'a Arc<Table>> {
-    exchange.before()
-}
-
 fn ids(values: &[Value]) -> Option<Vec<u32>> {
     values.iter().map(Value::id).collect()
 }
@@ -68,21 +63,19 @@ fn numbers(ids: &[u32]) -> Value {
 }
 
 fn wrong_neighbours(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
-    let (table, f) = (table(exchange)?, *asked(exchange).ids.first()?);
+    let (table, f) = (exchange.before()?, *asked(exchange).ids.first()?);
     let right = neighbours(table, f);
     let Some(found) = ids(values) else { return Some(Wrong::kind("a list of triangles")) };
     let all = sides(table, f).into_iter().filter_map(|h| table.face(table.twin(h)?)).map(FaceId::number);
     let all: Vec<u32> = all.collect();
     let reversed: Vec<u32> = right.iter().rev().copied().collect();
     let outer = table.outer_face.map(FaceId::number);
-    let wrong = Wrong::value(&numbers(&right), "the triangles across the sides, counter-clockwise");
-    let because = if found.iter().any(|&g| Some(g) == outer) {
-        Wrong { because: "behind a wall there is the outer face, which is no triangle".to_owned(), ..wrong }
-    } else {
-        wrong
+    let because = match found.iter().any(|&g| Some(g) == outer) {
+        true => "behind a wall there is the outer face, which is no triangle",
+        false => "the triangles across the sides, counter-clockwise",
     };
     (!is_rotation(&found, &right) && found != right).then(|| {
-        because.is([
+        Wrong::value(&numbers(&right), because).is([
             (found == all, "what is across all three sides, the outer face included"),
             (found.len() > 1 && is_rotation(&found, &reversed), "the right ones clockwise"),
             (found.len() + 1 == right.len(), "one too few"),
@@ -92,7 +85,7 @@ fn wrong_neighbours(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
 }
 
 fn wrong_triangle(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
-    let (table, p) = (table(exchange)?, *asked(exchange).points.first()?);
+    let (table, p) = (exchange.before()?, *asked(exchange).points.first()?);
     let all = triangles_of(table, p);
     let on_border = all.len() > 1 || all.iter().any(|&f| is_on_border(table, f, p));
     match values {
@@ -126,7 +119,7 @@ pub(super) fn is_on_border(table: &Table, f: u32, p: Spot) -> bool {
 }
 
 fn wrong_corridor(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
-    let table = table(exchange)?;
+    let table = exchange.before()?;
     let &[start, goal] = &asked(exchange).ids[..] else { return None };
     let best = corridor(table, start, goal);
     if let [Value::Refusal(_)] = values {
@@ -175,7 +168,7 @@ fn faces(ids: &[u32]) -> String {
 }
 
 fn wrong_portals(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
-    let (table, corridor) = (table(exchange)?, asked(exchange).ids);
+    let (table, corridor) = (exchange.before()?, asked(exchange).ids);
     let right: Vec<[u32; 2]> =
         portals(table, &corridor)?.into_iter().map(|portal| portal.map(VertexId::number)).collect();
     let Some(found) = values.iter().map(Value::ids).collect::<Option<Vec<[u32; 2]>>>() else {
@@ -258,7 +251,7 @@ pub(super) fn path(table: &Table, start: Spot, goal: Spot) -> Option<Vec<Spot>> 
 }
 
 fn wrong_path(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
-    let table = table(exchange)?;
+    let table = exchange.before()?;
     let &[start, goal] = &asked(exchange).points[..] else { return None };
     let refused = matches!(values, [Value::Refusal(_)]);
     match path(table, start, goal) {

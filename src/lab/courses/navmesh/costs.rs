@@ -39,13 +39,8 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                     _ => (READS_OF_A_WALK, "those of the triangles on the way"),
                 };
                 if *reads > limit {
-                    return vec![too_many_reads(
-                        test,
-                        step,
-                        (function, *reads),
-                        ("structure", records, "records"),
-                        example,
-                    )];
+                    let size = ("structure", records, "records");
+                    return vec![too_many_reads(test, step, (function, *reads), size, example)];
                 }
             }
             _ => {}

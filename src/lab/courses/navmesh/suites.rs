@@ -169,10 +169,9 @@ fn points_of(table: &Table) -> Vec<Spot> {
     }
     let mut met: Vec<Spot> = Vec::new();
     points.retain(|p| {
-        !met.contains(p) && {
-            met.push(*p);
-            true
-        }
+        let is_new = !met.contains(p);
+        met.push(*p);
+        is_new
     });
     let far = points.iter().flatten().fold(0.0_f64, |far, x| far.max(x.abs())) + 1.0;
     points.extend([[far, 0.25], [-far, -far], [0.5, far]]);
@@ -200,13 +199,7 @@ fn fixed_points(function: &str, walks: bool) -> Vec<Case> {
         let lines = (0..40).map(|i| {
             let t = f64::from(i) / 40.0;
             let [x, y] = [0, 1].map(|axis| a[axis] + (b[axis] - a[axis]) * t);
-            let y = if i % 3 == 0 {
-                y
-            } else if i % 3 == 1 {
-                y.next_up()
-            } else {
-                y.next_down()
-            };
+            let y = [y, y.next_up(), y.next_down()][i as usize % 3];
             if walks { format!("{function} f{} {x} {y}", 1 + i % 2) } else { format!("{function} {x} {y}") }
         });
         cases.push(case(format!("{function}.{name}"), &start, lines));

@@ -23,9 +23,7 @@ fn ids(words: &[String]) -> Vec<usize> {
 }
 
 fn direction(numbers: &[f64]) -> Place {
-    let mut d = [0.0; 3];
-    d.iter_mut().zip(numbers).for_each(|(to, from)| *to = *from);
-    d
+    [0, 1, 2].map(|i| numbers.get(i).copied().unwrap_or_default())
 }
 
 /// Whether a function changes the mesh.

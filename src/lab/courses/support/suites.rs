@@ -99,14 +99,9 @@ impl Judge for SupportJudge {
             Suite::of(tests, Asked::fixed_and_seeded(fixed, plan, SEQUENCES, sequences))
         };
         let mut remove_vertex = edits(&["remove_vertex"], REMOVE_VERTEX, [1, 0, 0, 3]);
-        remove_vertex
-            .asked
-            .extend(Asked::fixed(with_reads("cube_45.remove_vertex", ["remove_vertex 9000", "remove_vertex 11000"])));
+        remove_vertex.asked.extend(with_reads("remove_vertex", ["9000", "11000"]));
         let mut remove_face = edits(&["remove_face"], REMOVE_FACE, [0, 0, 1, 0]);
-        remove_face.asked.extend(Asked::fixed(with_reads(
-            "cube_45.remove_face",
-            ["remove_face 9000 9001", "remove_face 11000 11001"],
-        )));
+        remove_face.asked.extend(with_reads("remove_face", ["9000 9001", "11000 11001"]));
         let mut many_edits = edits(&["many_edits"], MANY_EDITS, [3, 6, 4, 1]);
         // The long sequence decides: short ones are there to be read.
         many_edits.asked.retain(|asked| {
@@ -261,9 +256,10 @@ fn shown(name: &str, lines: &str) -> Option<Case> {
 }
 
 /// Edits of a large mesh: numbers of half-edges past 65,536, and how many records are looked at.
-fn with_reads(name: &str, lines: [&str; 2]) -> Option<Case> {
-    let case = Case::new(name, start(name.split('.').next()?)?.start.clone());
-    Some(case.calls(lines.map(Step::of_line), &[Step::Reads, Step::Changes]))
+fn with_reads(function: &str, edits: [&str; 2]) -> Vec<Asked> {
+    let case = start("cube_45").map(|cube| Case::new(format!("cube_45.{function}"), cube.start.clone()));
+    let calls = edits.map(|words| Step::of_line(&format!("{function} {words}")));
+    Asked::fixed(case.map(|case| case.calls(calls, &[Step::Reads, Step::Changes])))
 }
 
 /// Random edits that can be made, and triangles that have to be refused; `kinds` says how often each of add_vertex, add_face, remove_face and remove_vertex is made.

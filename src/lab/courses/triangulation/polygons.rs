@@ -57,9 +57,7 @@ pub(super) fn small() -> Vec<(&'static str, Vec<[f64; 2]>)> {
     .into_iter()
     .map(|(name, places)| (name, places.iter().map(|p| p.map(f64::from)).collect()))
     .collect();
-    all.push(("comb", comb(3)));
-    all.push(("spiral", spiral(2)));
-    all.push(("drawing", DRAWING.to_vec()));
+    all.extend([("comb", comb(3)), ("spiral", spiral(2)), ("drawing", DRAWING.to_vec())]);
     all
 }
 

@@ -77,11 +77,8 @@ pub(super) fn judge(exchange: &Exchange, tests: [&'static str; 2]) -> Vec<Fault>
     let after = exchange.records_after();
     if let Some(because) = refused {
         if !matches!(returned, [Value::Refusal(_)]) {
-            return vec![fault(
-                FaultKind::Wrong,
-                "carried out",
-                format!("it is carried out, expected None: {because}"),
-            )];
+            let words = format!("it is carried out, expected None: {because}");
+            return vec![fault(FaultKind::Wrong, "carried out", words)];
         }
         if after.is_some_and(|after| after != before) {
             let words = "None is returned, but something has changed".to_owned();
@@ -118,14 +115,11 @@ pub(super) fn judge(exchange: &Exchange, tests: [&'static str; 2]) -> Vec<Fault>
         faults.push(Fault { instead: Some(Instead { subject, is }), ..wrong });
     }
     if faults.is_empty() && corner != copy_of_u {
-        let what = if corner == u {
-            "u itself"
-        } else if corner == v {
-            "v"
-        } else if corner >= count {
-            "the copy of v"
-        } else {
-            "another corner"
+        let what = match corner {
+            _ if corner == u => "u itself",
+            _ if corner == v => "v",
+            _ if corner >= count => "the copy of v",
+            _ => "another corner",
         };
         let words = format!("c{corner} is returned, {what}, expected c{copy_of_u}, the copy of u");
         faults.push(fault(FaultKind::Wrong, &format!("returned {what}"), words));
