@@ -75,8 +75,11 @@ fn row_of<'a>(name: &str, reports: &'a [Report]) -> Row<'a> {
     row
 }
 
+/// The name of a column, and what stands in it.
+type Column = (&'static str, fn(&Row) -> String);
+
 /// The columns of a file, each with what a test has there.
-const COLUMNS: [(&str, fn(&Row) -> String); 11] = [
+const COLUMNS: [Column; 11] = [
     ("test", |row| row.name.to_owned()),
     ("title", |row| row.title.to_owned()),
     ("task", |row| row.task.to_string()),
