@@ -37,16 +37,6 @@ pub fn cycle(table: &Table, start: HalfEdgeId) -> Vec<HalfEdgeId> {
 /// The half-edges that start at `origin(start)`, counter-clockwise: `prev.twin` again and again.
 #[must_use]
 pub fn star(table: &Table, start: HalfEdgeId) -> Vec<HalfEdgeId> {
-    let mut star = vec![start];
-    let mut at = start;
-    for _ in 0..table.half_edges.len() {
-        match table.prev(at).and_then(|prev| table.twin(prev)) {
-            Some(next) if next != start => {
-                star.push(next);
-                at = next;
-            }
-            _ => break,
-        }
-    }
-    star
+    let next = |&h: &HalfEdgeId| table.prev(h).and_then(|prev| table.twin(prev)).filter(|&next| next != start);
+    std::iter::successors(Some(start), next).take(table.half_edges.len() + 1).collect()
 }

@@ -1,5 +1,6 @@
 //! The picture of the climb over the gem, as the student's program should draw it.
 
+use super::mistakes::climb;
 use super::model::Place;
 use super::solids::gem;
 use crate::pictures::Plain;
@@ -18,16 +19,8 @@ pub(super) fn reference() -> String {
     for &(a, b) in model.across.keys().filter(|(a, b)| a < b) {
         out.edge(at(a), at(b));
     }
-    let mut v = FROM;
-    loop {
-        out.vertex(at(v));
-        let highest =
-            model.neighbours(v).into_iter().reduce(|a, b| if model.higher(DIRECTION, b, a).is_gt() { b } else { a });
-        match highest.filter(|&next| model.higher(DIRECTION, next, v).is_gt()) {
-            Some(next) => v = next,
-            None => return out.svg(),
-        }
-    }
+    climb(&model, FROM, DIRECTION).into_iter().for_each(|v| out.vertex(at(v)));
+    out.svg()
 }
 
 #[cfg(test)]

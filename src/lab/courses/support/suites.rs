@@ -393,10 +393,8 @@ fn heights(function: &str, plan: &Plan) -> Vec<Asked> {
 }
 
 fn question(function: &str, from: usize, [x, y, z]: Place) -> Step {
-    if function == "support_by_scan" {
-        return Step::of_line(&format!("{function} {x} {y} {z}"));
-    }
-    Step::of_line(&format!("{function} v{from} {x} {y} {z}"))
+    let from = if function == "support_by_scan" { String::new() } else { format!(" v{from}") };
+    Step::of_line(&format!("{function}{from} {x} {y} {z}"))
 }
 
 #[cfg(test)]
