@@ -15,7 +15,6 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 pub(super) use super::launcher::launched;
-pub(super) use super::probe::{out_of_reach, probe};
 
 /// The launcher's own processes; they count against the limit of the user they become.
 const LAUNCHERS: u64 = 3;

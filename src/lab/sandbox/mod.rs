@@ -80,8 +80,12 @@ mod user;
 
 #[cfg(not(target_os = "linux"))]
 use elsewhere as system;
+#[cfg(not(target_os = "linux"))]
+use elsewhere as trials;
 #[cfg(target_os = "linux")]
 use linux as system;
+#[cfg(target_os = "linux")]
+use probe as trials;
 
 pub(crate) use super::task::{Runner, Task, View};
 use super::{Barrier, Limits, Program, Ran, Stop};
@@ -156,7 +160,7 @@ impl Sandbox {
     pub fn probe(launcher: Option<&Path>, choice: SandboxChoice) -> Self {
         let itself = || std::env::current_exe().unwrap_or_default();
         let launcher = launcher.map_or_else(itself, Path::to_path_buf);
-        let (up, said) = system::probe(&launcher, choice);
+        let (up, said) = trials::probe(&launcher, choice);
         Self::of(&launcher, up, said)
     }
 
@@ -179,7 +183,7 @@ impl Sandbox {
         let shown = there(&system::shown_to_compilers().into_iter().chain(tools.to_vec()).collect::<Vec<_>>());
         let within = |path: &&PathBuf| shown.iter().any(|folder| path.starts_with(folder));
         self.hidden = hidden.iter().flat_map(|thing| &thing.paths).filter(within).cloned().collect();
-        let said = system::out_of_reach(&self, &hidden, tools, &there(needed));
+        let said = trials::out_of_reach(&self, &hidden, tools, &there(needed));
         self.said.extend(said);
         self
     }
