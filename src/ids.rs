@@ -65,6 +65,11 @@ macro_rules! id {
             pub const fn index(self) -> usize {
                 self.0 as usize
             }
+
+            /// The id, if the element is of its kind.
+            pub(crate) fn from_element(element: Element) -> Option<Self> {
+                if let Element::$variant(id) = element { Some(id) } else { None }
+            }
         }
 
         impl Id for $name {

@@ -65,10 +65,8 @@ impl<'a> Arguments<'a> {
     }
 
     fn element(&mut self) -> Element {
-        match self.list.next() {
-            Some(&Argument::Element(element)) => element,
-            _ => panic!("{CHECKED}"),
-        }
+        let Some(&Argument::Element(element)) = self.list.next() else { panic!("{CHECKED}") };
+        element
     }
 
     /// The next argument, a vertex.
@@ -76,26 +74,22 @@ impl<'a> Arguments<'a> {
     /// # Panics
     /// As the others, if the row reads another kind than it says.
     pub fn vertex(&mut self) -> VertexId {
-        let Element::Vertex(v) = self.element() else { panic!("{CHECKED}") };
-        v
+        VertexId::from_element(self.element()).expect(CHECKED)
     }
 
     /// The next argument, a half-edge.
     pub fn half_edge(&mut self) -> HalfEdgeId {
-        let Element::HalfEdge(h) = self.element() else { panic!("{CHECKED}") };
-        h
+        HalfEdgeId::from_element(self.element()).expect(CHECKED)
     }
 
     /// The next argument, an edge.
     pub fn edge(&mut self) -> EdgeId {
-        let Element::Edge(e) = self.element() else { panic!("{CHECKED}") };
-        e
+        EdgeId::from_element(self.element()).expect(CHECKED)
     }
 
     /// The next argument, a face.
     pub fn face(&mut self) -> FaceId {
-        let Element::Face(f) = self.element() else { panic!("{CHECKED}") };
-        f
+        FaceId::from_element(self.element()).expect(CHECKED)
     }
 
     /// The rest of the arguments, vertices.

@@ -39,10 +39,7 @@ impl Returned {
     /// The new half-edge, if there is one.
     #[must_use]
     pub fn half_edge(&self) -> Option<HalfEdgeId> {
-        match self.named {
-            Some(Element::HalfEdge(h)) => Some(h),
-            _ => None,
-        }
+        self.named.and_then(HalfEdgeId::from_element)
     }
 
     /// All that was returned, in order.

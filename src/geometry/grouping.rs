@@ -99,6 +99,13 @@ impl<T: Copy> Groups<T> {
     }
 }
 
+/// Each of the things once, in their order. O(n log n).
+pub(crate) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

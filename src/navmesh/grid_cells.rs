@@ -10,7 +10,7 @@ use super::grid::{GAP, Grid, LAST, NOTHING, SEVERAL, slot_of};
 use super::hole_edges::HoleEdge;
 use super::marks::{CLOSED, ID};
 use super::slivers::Slivers;
-use crate::geometry::grouping::Groups;
+use crate::geometry::grouping::{Groups, sorted};
 use crate::geometry::point::corners;
 use crate::ids::FaceId;
 use crate::plane::Point;
@@ -104,8 +104,7 @@ impl Grid {
             most = left;
             self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
         }
-        entries.sort_unstable();
-        entries.dedup();
+        let entries = sorted(entries);
         let (mut gone, mut come) = (gone.as_slice(), entries.as_slice());
         let (mut faces, mut holes): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
         while let Some(cell) = gone.first().into_iter().chain(come.first()).map(|&(cell, _)| cell).min() {

@@ -22,6 +22,7 @@ use super::NavMesh;
 use super::curve::Curve;
 use super::many_corners::FEW;
 use super::marks::{CLOSED, DEAD_END, ID, NONE};
+use crate::geometry::grouping::sorted;
 use crate::ids::{FaceId, VertexId};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -243,12 +244,8 @@ impl Junctions {
             return false;
         }
         loose.retain(|&f| mesh.is_core(f));
-        loose.sort_unstable();
-        loose.dedup();
         cut.retain(|&c| self.faces[c as usize] != NONE);
-        cut.sort_unstable();
-        cut.dedup();
-        self.add(mesh, &loose, &cut);
+        self.add(mesh, &sorted(loose), &sorted(cut));
         true
     }
 

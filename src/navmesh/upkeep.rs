@@ -14,6 +14,7 @@ use super::NavMesh;
 use super::junctions::Junctions;
 use super::marks::ID;
 use super::merged::Merged;
+use crate::geometry::grouping::sorted;
 use crate::ids::{FaceId, VertexId};
 use std::collections::BTreeSet;
 
@@ -54,20 +55,15 @@ impl Upkeep {
             }
         }
         changed.retain(|&f| near.contains(&f) || mesh.has_face(FaceId::new(f)));
-        changed.sort_unstable();
-        changed.dedup();
+        let changed = sorted(changed);
         // What names sides by their numbers is lost if these are others.
         if let Some(mut merged) = self.merged.filter(|_| !mesh.renumbered) {
             merged.take_apart(mesh, changed.iter().copied(), &mut self.loose);
             if !merged.is_spent() {
                 let around = corners.iter().flat_map(|&v| mesh.faces_around(v)).map(FaceId::number);
-                let mut marked: Vec<u32> = written.iter().map(|&(f, _)| f).chain(around).collect();
-                marked.sort_unstable();
-                marked.dedup();
+                let marked = sorted(written.iter().map(|&(f, _)| f).chain(around).collect());
                 self.loose.extend(&changed);
-                self.loose.sort_unstable();
-                self.loose.dedup();
-                merged.put_together(mesh, self.loose);
+                merged.put_together(mesh, sorted(self.loose));
                 marked.into_iter().for_each(|f| merged.mark_again(mesh, f));
                 mesh.merged = merged.into();
             }

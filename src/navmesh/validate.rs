@@ -15,6 +15,7 @@
 
 use super::fault::MeshFault;
 use super::weld::near_misses;
+use crate::geometry::grouping::sorted;
 use crate::ids::VertexId;
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{ArrangeOptions, ConvertError, Point, SegmentFault, SegmentsError, Subdivision};
@@ -109,11 +110,9 @@ fn shape(points: &[Point], face: u32, corners: &[u32], open: bool) -> Result<(),
         return Err(MeshFault::NoSuchVertex { face, corner, vertices: points.len() });
     }
     let n = corners.len();
-    let mut distinct = corners.to_vec();
-    distinct.sort_unstable();
-    distinct.dedup();
-    if distinct.len() < 3 || distinct.len() < n {
-        return Err(MeshFault::FewCorners { face, corners: n, distinct: distinct.len() });
+    let distinct = sorted(corners.to_vec()).len();
+    if distinct < 3 || distinct < n {
+        return Err(MeshFault::FewCorners { face, corners: n, distinct });
     }
     let place = |k: usize| points[corners[k % n] as usize];
     let turn = |k: usize| orientation(place(k + n - 1), place(k), place(k + 1));
@@ -150,9 +149,7 @@ fn meetings(points: &[Point], sides: &[Side], faults: &mut Vec<MeshFault>) {
     edges.sort_unstable();
     edges.dedup_by_key(|edge| (edge.from, edge.to));
     // Only points that are used, so that the others are not in anybody's way.
-    let mut used: Vec<u32> = edges.iter().flat_map(|edge| [edge.from, edge.to]).collect();
-    used.sort_unstable();
-    used.dedup();
+    let used = sorted(edges.iter().flat_map(|edge| [edge.from, edge.to]).collect());
     let number = |v: u32| used.partition_point(|&u| u < v) as u32;
     let places: Vec<Point> = used.iter().map(|&v| points[v as usize]).collect();
     let segments: Vec<[u32; 2]> = edges.iter().map(|edge| [number(edge.from), number(edge.to)]).collect();

@@ -13,7 +13,7 @@
 //! other never meet.
 
 use super::fault::MeshFault;
-use crate::geometry::grouping::grouped;
+use crate::geometry::grouping::{grouped, sorted};
 use crate::geometry::space::{are_collinear, between, check_place};
 use crate::plane::Point;
 use crate::topology::PolygonList;
@@ -259,12 +259,6 @@ pub(super) fn near_misses_along(
         });
     }
     faults
-}
-
-fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
-    list.sort_unstable();
-    list.dedup();
-    list
 }
 
 /// Those sides that no face has in the other direction, sorted.

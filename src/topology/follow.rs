@@ -20,26 +20,22 @@ pub trait Follows: Id {
 }
 
 macro_rules! follows {
-    ($id:ty, $column:ident, $kind:ident) => {
+    ($id:ty, $column:ident) => {
         impl Follows for $id {
             fn renumbered(self, map: &Renumbering) -> Option<Self> {
                 map.$column.get(self).copied().flatten()
             }
 
             fn of(element: Element) -> impl Iterator<Item = Self> {
-                let id = match element {
-                    Element::$kind(id) => Some(id),
-                    _ => None,
-                };
-                id.into_iter()
+                Self::from_element(element).into_iter()
             }
         }
     };
 }
 
-follows!(VertexId, vertices, Vertex);
-follows!(EdgeId, edges, Edge);
-follows!(FaceId, faces, Face);
+follows!(VertexId, vertices);
+follows!(EdgeId, edges);
+follows!(FaceId, faces);
 
 impl Follows for HalfEdgeId {
     fn renumbered(self, map: &Renumbering) -> Option<Self> {
@@ -47,11 +43,7 @@ impl Follows for HalfEdgeId {
     }
 
     fn of(element: Element) -> impl Iterator<Item = Self> {
-        let edge = match element {
-            Element::Edge(e) => Some(e),
-            _ => None,
-        };
-        edge.into_iter().flat_map(EdgeId::half_edges)
+        EdgeId::from_element(element).into_iter().flat_map(EdgeId::half_edges)
     }
 }
 

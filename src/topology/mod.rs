@@ -78,6 +78,8 @@ pub use own::{Editing, OwnEditError};
 pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub(crate) use reads::reads_of_dcel;
+#[cfg(feature = "solid")]
+pub(crate) use record::Quiet;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
 #[cfg(feature = "compare")]
 pub(crate) use replay::set_row;

@@ -283,10 +283,8 @@ impl Dcel {
 
     /// The links of one half-edge lead to live elements, there and back.
     fn has_sound_links(&self, h: HalfEdgeId) -> bool {
-        let [next, prev] = [Slot::Next(h), Slot::Prev(h)].map(|slot| match self.raw(slot) {
-            Some(Element::HalfEdge(g)) if self.has_half_edge(g) => Some(g),
-            _ => None,
-        });
+        let [next, prev] = [Slot::Next(h), Slot::Prev(h)]
+            .map(|slot| self.raw(slot).and_then(HalfEdgeId::from_element).filter(|&g| self.has_half_edge(g)));
         let (Some(next), Some(prev)) = (next, prev) else { return false };
         let face = self.raw(Slot::Face(h));
         self.raw(Slot::Prev(next)) == Some(h.into())
@@ -298,10 +296,7 @@ impl Dcel {
     }
 
     fn raw_origin(&self, h: HalfEdgeId) -> Option<VertexId> {
-        match self.raw(Slot::Origin(h)) {
-            Some(Element::Vertex(v)) => Some(v),
-            _ => None,
-        }
+        self.raw(Slot::Origin(h)).and_then(VertexId::from_element)
     }
 
     /// Each vertex has one round, with all touched half-edges that start there.

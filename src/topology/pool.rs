@@ -222,19 +222,13 @@ impl Dcel {
     #[cfg(any(feature = "navmesh", test))]
     pub(crate) fn release_ids(&mut self) {
         self.free = FreeLists::EMPTY;
-        for v in (0..self.vertex_bound() as u32).rev().map(VertexId) {
-            if !self.has_record(v.into()) {
-                self.free_vertex(v);
-            }
-        }
-        for e in (0..self.edge_bound() as u32).rev().map(EdgeId) {
-            if !self.has_record(e.into()) {
-                self.free_edge(e);
-            }
-        }
-        for f in (0..self.face_bound() as u32).rev().map(FaceId) {
-            if !self.has_record(f.into()) {
-                self.free_face(f);
+        let [vertices, edges, faces] =
+            [self.vertex_bound(), self.edge_bound(), self.face_bound()].map(|bound| (0..bound as u32).rev());
+        let edges_and_faces = edges.map(|e| EdgeId(e).into()).chain(faces.map(|f| FaceId(f).into()));
+        let all = vertices.map(|v| VertexId(v).into()).chain(edges_and_faces);
+        for element in all {
+            if !self.has_record(element) {
+                self.undo_added(element, true);
             }
         }
     }

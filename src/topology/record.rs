@@ -208,3 +208,12 @@ impl<R: Recorder> Recorder for &mut R {
         (**self).record(change);
     }
 }
+
+/// Lets only the changes through, so that the steps of several edits are one.
+pub(crate) struct Quiet<'a, R>(pub(crate) &'a mut R);
+
+impl<R: Recorder> Recorder for Quiet<'_, R> {
+    fn record(&mut self, change: Change) {
+        self.0.record(change);
+    }
+}

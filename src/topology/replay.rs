@@ -8,7 +8,7 @@
 
 use super::record::{Change, Slot};
 use super::table::{FaceRow, HalfEdgeRow, Table, VertexRow};
-use crate::ids::Element;
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 
 impl Table {
     /// Writes one change into the table. New rows grow the table; a new vertex has no position yet. A pointer of
@@ -36,10 +36,7 @@ impl Table {
     }
 
     fn write(&mut self, slot: Slot, new: Option<Element>) {
-        let half_edge = match new {
-            Some(Element::HalfEdge(h)) => Some(h),
-            _ => None,
-        };
+        let half_edge = new.and_then(HalfEdgeId::from_element);
         match slot {
             Slot::Outgoing(v) => {
                 if let Some(Some(row)) = self.vertices.get_mut(v.index()) {
@@ -53,12 +50,10 @@ impl Table {
             }
             Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => {
                 let Some(Some(row)) = self.half_edges.get_mut(h.index()) else { return };
-                match (slot, new) {
-                    (Slot::Origin(_), Some(Element::Vertex(v))) => row.origin = Some(v),
-                    (Slot::Origin(_), _) => row.origin = None,
-                    (Slot::Face(_), Some(Element::Face(f))) => row.face = Some(f),
-                    (Slot::Face(_), _) => row.face = None,
-                    (Slot::Next(_), _) => row.next = half_edge,
+                match slot {
+                    Slot::Origin(_) => row.origin = new.and_then(VertexId::from_element),
+                    Slot::Face(_) => row.face = new.and_then(FaceId::from_element),
+                    Slot::Next(_) => row.next = half_edge,
                     _ => row.prev = half_edge,
                 }
             }

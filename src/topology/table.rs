@@ -54,19 +54,23 @@ pub struct Table {
     pub outer_face: Option<FaceId>,
 }
 
+impl HalfEdgeRow {
+    /// What a view says of a half-edge, if it has this one.
+    pub(super) fn of<V: View + ?Sized>(view: &V, h: HalfEdgeId) -> Option<Self> {
+        view.has_half_edge(h).then(|| Self {
+            origin: view.origin(h),
+            twin: view.twin(h),
+            next: view.next(h),
+            prev: view.prev(h),
+            face: view.face(h),
+        })
+    }
+}
+
 impl Table {
     /// Copies the pointers of a view; positions and names are left empty.
     pub fn from_view<V: View + ?Sized>(view: &V) -> Self {
         let vertex = |v| view.has_vertex(v).then(|| VertexRow { position: None, outgoing: view.outgoing(v) });
-        let half_edge = |h| {
-            view.has_half_edge(h).then(|| HalfEdgeRow {
-                origin: view.origin(h),
-                twin: view.twin(h),
-                next: view.next(h),
-                prev: view.prev(h),
-                face: view.face(h),
-            })
-        };
         let face = |f| {
             view.has_face(f).then(|| FaceRow {
                 half_edge: view.half_edge(f),
@@ -77,7 +81,7 @@ impl Table {
         };
         Self {
             vertices: (0..view.vertex_bound() as u32).map(|i| vertex(VertexId(i))).collect(),
-            half_edges: (0..view.half_edge_bound() as u32).map(|i| half_edge(HalfEdgeId(i))).collect(),
+            half_edges: (0..view.half_edge_bound() as u32).map(|i| HalfEdgeRow::of(view, HalfEdgeId(i))).collect(),
             faces: (0..view.face_bound() as u32).map(|i| face(FaceId(i))).collect(),
             outer_face: view.outer_face(),
         }

@@ -105,16 +105,8 @@ impl TableColumns {
 
     /// Moves the rows; the list of half-edges, the longest, may have its room already.
     fn move_to(&mut self, table: &mut Table) {
-        let half_edge = |h| {
-            self.has_half_edge(h).then(|| HalfEdgeRow {
-                origin: self.origin(h),
-                twin: self.twin(h),
-                next: self.next(h),
-                prev: self.prev(h),
-                face: self.face(h),
-            })
-        };
-        table.half_edges.extend((0..self.half_edge_bound() as u32).map(HalfEdgeId::new).map(half_edge));
+        let half_edges = (0..self.half_edge_bound() as u32).map(HalfEdgeId::new);
+        table.half_edges.extend(half_edges.map(|h| HalfEdgeRow::of(self, h)));
         let Columns { origin, next, prev, face, .. } = &mut self.columns;
         [origin, next, prev, face, &mut self.twin].into_iter().for_each(|column| *column = Vec::new());
         let vertex =

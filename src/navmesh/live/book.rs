@@ -269,9 +269,7 @@ impl Book {
         let mut ends = [None; 2];
         for change in changes {
             match *change {
-                Change::Added { element, .. } => {
-                    new_edge = if let Element::Edge(e) = element { Some(e) } else { None };
-                }
+                Change::Added { element, .. } => new_edge = EdgeId::from_element(element),
                 Change::Write { slot: Slot::Origin(_), old: None, .. } => {}
                 // The twin of the half-edge that is split starts at the new vertex from now on.
                 Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {

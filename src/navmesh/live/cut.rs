@@ -113,9 +113,7 @@ pub(super) fn splits(changes: &[Change]) -> Vec<(HalfEdgeId, EdgeId)> {
     let mut new_edge = None;
     for change in changes {
         match *change {
-            Change::Added { element, .. } => {
-                new_edge = if let Element::Edge(e) = element { Some(e) } else { None };
-            }
+            Change::Added { element, .. } => new_edge = EdgeId::from_element(element),
             // The origins of the new halves.
             Change::Write { slot: Slot::Origin(_), old: None, .. } => {}
             Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {

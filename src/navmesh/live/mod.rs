@@ -25,6 +25,7 @@ mod refresh;
 mod rim;
 
 use super::{NavMesh, NavMeshError};
+use crate::geometry::grouping::sorted;
 use crate::ids::{EdgeId, Element, FaceId};
 use crate::plane::{ConvertError, InsertSegmentError, Point, Subdivision};
 use crate::topology::{Change, Journal, Slot};
@@ -392,15 +393,12 @@ impl LiveMesh {
                 _ => {}
             }
         }
-        faces.sort_unstable();
-        faces.dedup();
+        let mut faces = sorted(faces);
         // The number of a face that went may be that of a hole now.
         faces.retain(|&f| f != map.outer_face() && (!is_hole(f) || self.mesh.has_face(f)));
         let here = faces.iter().filter(|&&f| map.has_face(f));
         edges.extend(here.flat_map(|&f| map.incident_edges(f)));
-        edges.sort_unstable();
-        edges.dedup();
-        let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.is_border(e))).collect();
+        let walls: Vec<(EdgeId, bool)> = sorted(edges).into_iter().map(|e| (e, self.book.is_border(e))).collect();
         let faces: Vec<(FaceId, bool)> = faces.into_iter().map(|f| (f, self.book.is_covered(f))).collect();
         let before = self.mesh.counts();
         self.mesh.read_again(map, &faces, &walls, &vertices)?;

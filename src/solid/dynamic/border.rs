@@ -9,6 +9,7 @@
 //!
 //! All arcs are walked in step, until one is left: that one is the longest, and it is never walked to its end.
 
+use crate::geometry::grouping::sorted;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::solid::Polyhedron;
 use crate::solid::surface_journal::{SurfaceChange, SurfaceRecorder};
@@ -38,13 +39,11 @@ impl Polyhedron {
         rec: &mut impl SurfaceRecorder,
     ) {
         starts.retain(|&h| self.dcel.has_half_edge(h));
-        starts.sort_unstable();
-        starts.dedup();
+        let starts = sorted(starts);
         let label = |this: &Self, h| this.dcel.linked_face(h).filter(|f| this.boundary_faces.contains(f));
         let labels: Vec<Option<FaceId>> = starts.iter().map(|&h| label(self, h)).collect();
         touched.extend(labels.iter().flatten());
-        touched.sort_unstable();
-        touched.dedup();
+        let touched = sorted(touched);
 
         let (follow, longest) = self.arcs(&starts);
         let mut seen = vec![false; starts.len()];

@@ -16,6 +16,7 @@
 //! The selected faces keep their ids: they are the caps. Where S touches a vertex twice, it gets two new ones.
 
 use super::{GrowError, Primitives};
+use crate::geometry::grouping::sorted;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::solid::Selection;
 
@@ -95,10 +96,8 @@ pub(super) fn extrude_faces(
         return Err(GrowError::NoBorder { selected, faces: dcel.face_count() });
     }
     dcel.room_for(border.len(), 2 * border.len(), border.len())?;
-    let mut rim: Vec<VertexId> = border.iter().map(|&h| dcel.origin(h)).collect();
-    rim.sort_unstable();
-    touched.sort_unstable();
-    touched.dedup();
+    let rim: Vec<VertexId> = sorted(border.iter().map(|&h| dcel.origin(h)).collect());
+    let mut touched = sorted(touched);
     touched.retain(|v| rim.binary_search(v).is_err());
 
     let mut lifted = Vec::with_capacity(border.len());

@@ -15,7 +15,7 @@
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::solid::Polyhedron;
 use crate::solid::surface_journal::SurfaceRecorder;
-use crate::topology::{Change, Recorder};
+use crate::topology::Quiet;
 
 /// A half-edge that leaves the hub.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -26,15 +26,6 @@ pub(super) struct Spoke {
     pub(super) place: [f64; 3],
     /// Whether its origin is the corner.
     pub(super) stays: bool,
-}
-
-/// Lets only the changes through, so that the steps of several edits are one.
-pub(super) struct Quiet<'a, R>(pub(super) &'a mut R);
-
-impl<R: Recorder> Recorder for Quiet<'_, R> {
-    fn record(&mut self, change: Change) {
-        self.0.record(change);
-    }
 }
 
 impl Polyhedron {

@@ -15,14 +15,13 @@
 //!
 //! Phases: an edge with a free end at each corner, into the face; sides between the free ends.
 
-use super::hub::Quiet;
 use crate::geometry::space::check_place;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use crate::solid::Polyhedron;
 use crate::solid::surface_journal::SurfaceRecorder;
 use crate::solid::vector::{minus, plus, times};
-use crate::topology::{IdError, NoRecorder, TooMany};
+use crate::topology::{IdError, NoRecorder, Quiet, TooMany};
 
 /// Why a face cannot get a rim.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]

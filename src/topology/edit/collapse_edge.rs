@@ -26,7 +26,7 @@
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::topology::Dcel;
 use crate::topology::pool::IdError;
-use crate::topology::record::{Change, NoRecorder, Recorder};
+use crate::topology::record::{NoRecorder, Quiet, Recorder};
 
 /// Why an edge cannot be collapsed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -84,15 +84,6 @@ pub enum CollapseEdgeError {
         /// The face.
         face: FaceId,
     },
-}
-
-/// Gives the steps of several edits as steps of one.
-struct Whole<'a, R>(&'a mut R);
-
-impl<R: Recorder> Recorder for Whole<'_, R> {
-    fn record(&mut self, change: Change) {
-        self.0.record(change);
-    }
 }
 
 impl Dcel {
@@ -196,10 +187,10 @@ impl Dcel {
         let t = h.twin();
         let far_edges = [(self.is_triangle(h), self.next(h)), (self.is_triangle(t), self.prev(t))];
         rec.step(1, "Join the two vertices: the triangles beside the edge become two-sided.");
-        let gone = self.join_vertices_unchecked(h, &mut Whole(rec));
+        let gone = self.join_vertices_unchecked(h, &mut Quiet(rec));
         rec.step(2, "Take the two-sided faces away, each with the edge of the vertex that went.");
         for (_, far) in far_edges.into_iter().filter(|&(triangle, _)| triangle) {
-            self.join_faces_unchecked(far, &mut Whole(rec));
+            self.join_faces_unchecked(far, &mut Quiet(rec));
         }
         Ok(gone)
     }

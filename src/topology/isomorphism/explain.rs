@@ -2,7 +2,7 @@
 
 use super::difference::Difference;
 use super::world::World;
-use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::ids::{Element, HalfEdgeId};
 use std::collections::BTreeMap;
 
 /// Fails if degrees or face lengths are distributed differently.
@@ -53,10 +53,9 @@ pub(super) fn first_pointer(world: &World) -> Option<Difference> {
     while let Some((a, b)) = queue.pop() {
         let (i, j) = (a as usize, b as usize);
         let name = |pointer: &str| format!("{}.{pointer}", HalfEdgeId(a));
-        let vertex = |v: u32| Element::Vertex(VertexId(v - if v < split.vertex { 0 } else { split.vertex }));
-        let half_edge =
-            |h: u32| Element::HalfEdge(HalfEdgeId(h - if h < split.half_edge { 0 } else { split.half_edge }));
-        let face = |f: u32| Element::Face(FaceId(f - if f < split.face { 0 } else { split.face }));
+        let vertex = |v| split.vertex(v).into();
+        let half_edge = |h| split.half_edge(h).into();
+        let face = |f| split.face(f).into();
         let (v, w) = (world.origin[i], world.origin[j]);
         let agree = world.vertex_label[v as usize] == world.vertex_label[w as usize];
         if let Err(partner) = pairs.vertices.pair_if(agree, v, w) {

@@ -14,8 +14,7 @@ use super::explain::first_pointer;
 use super::matcher::Matcher;
 use super::world::World;
 use super::{Difference, Matching, Which};
-use crate::geometry::grouping::Groups;
-use crate::ids::{FaceId, HalfEdgeId};
+use crate::geometry::grouping::{Groups, sorted};
 use std::collections::{BTreeMap, VecDeque};
 
 /// Marks the class of a face while its piece is looked at from within that face.
@@ -90,9 +89,7 @@ impl<'a> Forest<'a> {
         let (pieces, piece_of) = pieces(world);
         let count = pieces.count();
         let cycles = world.faces.iter().flat_map(|&f| world.cycles.of(f as usize).iter().map(move |&h| (f, h)));
-        let mut at_faces: Vec<(u32, u32)> = cycles.map(|(f, h)| (f, piece_of[h as usize])).collect();
-        at_faces.sort_unstable();
-        at_faces.dedup();
+        let mut at_faces: Vec<(u32, u32)> = sorted(cycles.map(|(f, h)| (f, piece_of[h as usize])).collect());
         let mut joins = vec![false; face_bound];
         let pieces_at = Groups::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p)));
         world.faces.iter().for_each(|&f| joins[f as usize] = pieces_at.of(f as usize).len() != 1);
@@ -154,13 +151,9 @@ impl<'a> Forest<'a> {
             }
         }
         match joining.iter().find(|&&f| !face_done[f as usize]) {
-            Some(&f) => Err(Difference::Undecided { face: self.face_id(f) }),
+            Some(&f) => Err(Difference::Undecided { face: self.world.split.face(f) }),
             None => Ok(order),
         }
-    }
-
-    fn face_id(&self, f: u32) -> FaceId {
-        FaceId(f - if f < self.world.split.face { 0 } else { self.world.split.face })
     }
 
     /// Gives a piece, whose faces but the parent are classified, its class and its root.
@@ -251,11 +244,10 @@ impl<'a> Forest<'a> {
         };
         match (piece, node) {
             (Some(Node::Piece(p)), _) => {
-                let (members, split) = (self.pieces.of(p as usize), self.world.split.half_edge);
-                let h = HalfEdgeId(members[0] - if members[0] < split { 0 } else { split });
-                Difference::Component { h, half_edges: members.len() }
+                let members = self.pieces.of(p as usize);
+                Difference::Component { h: self.world.split.half_edge(members[0]), half_edges: members.len() }
             }
-            (_, Node::Face(f) | Node::Piece(f)) => Difference::Content { face: self.face_id(f) },
+            (_, Node::Face(f) | Node::Piece(f)) => Difference::Content { face: self.world.split.face(f) },
         }
     }
 

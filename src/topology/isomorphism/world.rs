@@ -38,6 +38,21 @@ pub(super) struct Split {
     pub(super) face: u32,
 }
 
+/// What something of the world is called in the view that it is from.
+impl Split {
+    pub(super) fn vertex(self, v: u32) -> VertexId {
+        VertexId(v - if v < self.vertex { 0 } else { self.vertex })
+    }
+
+    pub(super) fn half_edge(self, h: u32) -> HalfEdgeId {
+        HalfEdgeId(h - if h < self.half_edge { 0 } else { self.half_edge })
+    }
+
+    pub(super) fn face(self, f: u32) -> FaceId {
+        FaceId(f - if f < self.face { 0 } else { self.face })
+    }
+}
+
 impl World {
     pub(super) fn new<A: View + ?Sized, B: View + ?Sized>(
         a: &A,
@@ -104,39 +119,23 @@ impl World {
     }
 
     fn set_labels(&mut self, sides: &[Flat<'_>; 2], options: &IsomorphismOptions) -> Result<(), Difference> {
-        let pinned = |element: Element| options.fixed.is_some_and(|is_fixed| is_fixed(element));
+        let is_fixed = |element: Element| options.fixed.is_some_and(|is_fixed| is_fixed(element));
         let split = self.split;
-        let fixed_vertex = |v: u32| {
-            let v = v - if v < split.vertex { 0 } else { split.vertex };
-            if pinned(Element::Vertex(VertexId(v))) { v } else { NONE }
-        };
-        let fixed_half_edge = |h: u32| {
-            let h = h - if h < split.half_edge { 0 } else { split.half_edge };
-            if pinned(Element::HalfEdge(HalfEdgeId(h))) { h } else { NONE }
-        };
-        let fixed_face = |f: u32| {
-            let f = f - if f < split.face { 0 } else { split.face };
-            if pinned(Element::Face(FaceId(f))) { f } else { NONE }
-        };
+        let fixed_vertex = |v: u32| Some(split.vertex(v)).filter(|&v| is_fixed(v.into())).map_or(NONE, |v| v.0);
+        let fixed_half_edge = |h: u32| Some(split.half_edge(h)).filter(|&h| is_fixed(h.into())).map_or(NONE, |h| h.0);
+        let fixed_face = |f: u32| Some(split.face(f)).filter(|&f| is_fixed(f.into())).map_or(NONE, |f| f.0);
         let key = |v: u32| -> VertexKey {
-            match options.keys {
-                None => [0, 0],
-                Some([first, _]) if v < split.vertex => first(VertexId(v)),
-                Some([_, second]) => second(VertexId(v - split.vertex)),
-            }
+            options.keys.map_or([0, 0], |keys| keys[usize::from(v >= split.vertex)](split.vertex(v)))
         };
         let stored = |h: u32| {
-            let (flat, h, v, f) = if h < split.half_edge {
-                (&sides[0], h, self.origin[h as usize], self.face[h as usize])
-            } else {
-                let i = h as usize;
-                (&sides[1], h - split.half_edge, self.origin[i] - split.vertex, self.face[i] - split.face)
-            };
-            options.representatives.then(|| (flat.outgoing[v as usize] == h, flat.boundary[f as usize] == h))
+            let (flat, h) = (&sides[usize::from(h >= split.half_edge)], h as usize);
+            let (v, f) = (split.vertex(self.origin[h]), split.face(self.face[h]));
+            let h = split.half_edge(h as u32).0;
+            options.representatives.then(|| (flat.outgoing[v.index()] == h, flat.boundary[f.index()] == h))
         };
         let face_state = |f: u32| {
-            let (flat, f) = if f < split.face { (&sides[0], f) } else { (&sides[1], f - split.face) };
-            (flat.outer == Some(f), flat.hole[f as usize])
+            let (flat, f) = (&sides[usize::from(f >= split.face)], split.face(f));
+            (flat.outer == Some(f.0), flat.hole[f.index()])
         };
         let vertex_bound = split.vertex as usize + sides[1].outgoing.len();
         self.vertex_label = intern(&self.vertices, vertex_bound, |v| (fixed_vertex(v), key(v)));
@@ -147,12 +146,12 @@ impl World {
         self.face_label =
             intern(&self.faces, face_bound, |f| (fixed_face(f), face_state(f), self.cycles.of(f as usize).len()));
 
-        let element = |v: u32| Element::Vertex(VertexId(v - if v < split.vertex { 0 } else { split.vertex }));
-        unpaired(&self.vertices, split.vertex, &self.vertex_label, |v| (element(v), fixed_vertex(v) != NONE))?;
-        let element = |h: u32| Element::HalfEdge(HalfEdgeId(h - if h < split.half_edge { 0 } else { split.half_edge }));
-        unpaired(&self.half_edges, split.half_edge, &self.label, |h| (element(h), fixed_half_edge(h) != NONE))?;
-        let element = |f: u32| Element::Face(FaceId(f - if f < split.face { 0 } else { split.face }));
-        unpaired(&self.faces, split.face, &self.face_label, |f| (element(f), fixed_face(f) != NONE))
+        let vertex = |v| (split.vertex(v).into(), fixed_vertex(v) != NONE);
+        unpaired(&self.vertices, split.vertex, &self.vertex_label, vertex)?;
+        let half_edge = |h| (split.half_edge(h).into(), fixed_half_edge(h) != NONE);
+        unpaired(&self.half_edges, split.half_edge, &self.label, half_edge)?;
+        let face = |f| (split.face(f).into(), fixed_face(f) != NONE);
+        unpaired(&self.faces, split.face, &self.face_label, face)
     }
 }
 
