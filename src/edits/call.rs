@@ -65,14 +65,12 @@ impl<S: Editable> Call<S> {
     fn fits(&self) -> bool {
         let mut rest = self.arguments.iter().peekable();
         let is_vertex = |argument: &&Argument| matches!(argument, Argument::Element(Element::Vertex(_)));
-        let all = self.row.takes.iter().all(|parameter| match parameter.takes {
+        let all = self.row.takes_on::<S>().all(|takes| match takes {
             Takes::Element(kind) => {
                 rest.next_if(|a| matches!(a, Argument::Element(e) if Kind::of(*e) == kind)).is_some()
             }
-            Takes::Place if S::DIMENSION == 0 => true,
             Takes::Place => rest.next_if(|a| matches!(a, Argument::Place(_))).is_some(),
-            Takes::Number => rest.next_if(|a| matches!(a, Argument::Number(_))).is_some(),
-            Takes::Map => (0..map_size::<S>()).all(|_| rest.next_if(|a| matches!(a, Argument::Number(_))).is_some()),
+            Takes::Number | Takes::Map => rest.next_if(|a| matches!(a, Argument::Number(_))).is_some(),
             Takes::Switch => rest.next_if(|a| matches!(a, Argument::Switch(_))).is_some(),
             Takes::Vertices => {
                 let some = rest.next_if(is_vertex).is_some();
@@ -98,10 +96,7 @@ impl<S: Editable> Call<S> {
     /// The elements among its arguments, in order.
     #[must_use]
     pub fn elements(&self) -> Vec<Element> {
-        let element = |argument: &Argument| match *argument {
-            Argument::Element(element) => Some(element),
-            _ => None,
-        };
+        let element = |argument: &Argument| if let Argument::Element(x) = *argument { Some(x) } else { None };
         self.arguments.iter().filter_map(element).collect()
     }
 
@@ -157,46 +152,32 @@ impl<S: Editable> FromStr for Call<S> {
         let row = super::find::<S>(word).ok_or_else(|| unknown::<S>(word))?;
         let misfit = || CallError::Misfit { call: text.to_owned(), usage: row.usage::<S>() };
         let mut arguments = Vec::new();
-        for parameter in row.takes {
+        for takes in row.takes_on::<S>() {
             let mut number = || words.next().and_then(|word| word.parse::<f64>().ok()).ok_or_else(misfit);
-            match parameter.takes {
-                Takes::Place if S::DIMENSION == 0 => {}
+            arguments.push(match takes {
                 Takes::Place => {
                     let mut place = [0.0; 3];
                     for x in &mut place[..S::DIMENSION] {
                         *x = number()?;
                     }
-                    arguments.push(Argument::Place(place));
+                    Argument::Place(place)
                 }
-                Takes::Number => arguments.push(Argument::Number(number()?)),
-                Takes::Map => {
-                    for _ in 0..map_size::<S>() {
-                        arguments.push(Argument::Number(number()?));
-                    }
-                }
-                Takes::Switch => {
-                    arguments.push(Argument::Switch(words.next().and_then(switch).ok_or_else(misfit)?));
-                }
-                Takes::Element(kind) => {
-                    arguments.push(words.next().and_then(|word| element(kind, word)).ok_or_else(misfit)?.into());
-                }
+                Takes::Number | Takes::Map => Argument::Number(number()?),
+                Takes::Switch => Argument::Switch(words.next().and_then(switch).ok_or_else(misfit)?),
+                Takes::Element(kind) => element_of(kind, words.next().unwrap_or("")).ok_or_else(misfit)?,
                 Takes::Vertices => {
                     for word in words.by_ref() {
-                        arguments.push(element(Kind::Vertex, word).ok_or_else(misfit)?.into());
+                        arguments.push(element_of(Kind::Vertex, word).ok_or_else(misfit)?);
                     }
+                    continue;
                 }
-            }
+            });
         }
         if words.next().is_some() {
             return Err(misfit());
         }
         Self::new(row, arguments)
     }
-}
-
-/// How many numbers an affine map has.
-pub(crate) const fn map_size<S: Editable>() -> usize {
-    S::DIMENSION * (S::DIMENSION + 1)
 }
 
 /// The words of a switch.
@@ -208,13 +189,17 @@ pub(crate) fn switch(word: &str) -> Option<bool> {
     }
 }
 
-fn element(kind: Kind, word: &str) -> Option<Element> {
-    Some(match kind {
-        Kind::Vertex => word.parse::<VertexId>().ok()?.into(),
-        Kind::HalfEdge => word.parse::<HalfEdgeId>().ok()?.into(),
-        Kind::Edge => word.parse::<EdgeId>().ok()?.into(),
-        Kind::Face => word.parse::<FaceId>().ok()?.into(),
-    })
+fn element_of(kind: Kind, word: &str) -> Option<Argument> {
+    element(word).filter(|&element| Kind::of(element) == kind).map(Argument::from)
+}
+
+/// `h3`, `v0`, `e1` or `f2`.
+pub(crate) fn element(word: &str) -> Option<Element> {
+    let half_edge = || word.parse::<HalfEdgeId>().map(Element::from);
+    let vertex = || word.parse::<VertexId>().map(Element::from);
+    let edge = || word.parse::<EdgeId>().map(Element::from);
+    let face = || word.parse::<FaceId>().map(Element::from);
+    half_edge().or_else(|_| vertex()).or_else(|_| edge()).or_else(|_| face()).ok()
 }
 
 fn unknown<S: Editable>(word: &str) -> CallError {

@@ -56,7 +56,7 @@ mod structure;
 
 pub use arguments::{Argument, Arguments, Map, Place};
 pub use call::{Call, CallError};
-pub(crate) use call::{map_size, switch};
+pub(crate) use call::{element, switch};
 pub use kind::{Given, Kind, Parameter, Takes};
 pub use returned::{EditError, Returned, Returns};
 pub use row::{Apply, Row};

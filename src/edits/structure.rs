@@ -43,6 +43,18 @@ pub trait Editable: Clone + PartialEq + fmt::Debug + Sized + 'static {
 }
 
 impl Row {
+    /// What a call takes on this structure: a map is as many numbers, and without coordinates there is no place.
+    pub(crate) fn takes_on<S: Editable>(&self) -> impl Iterator<Item = Takes> {
+        self.takes.iter().flat_map(|parameter| {
+            let count = match parameter.takes {
+                Takes::Place => usize::from(S::DIMENSION > 0),
+                Takes::Map => S::DIMENSION * (S::DIMENSION + 1),
+                _ => 1,
+            };
+            std::iter::repeat_n(parameter.takes, count)
+        })
+    }
+
     /// How it is written for this structure: `split_edge A X Y`.
     #[must_use]
     pub fn usage<S: Editable>(&self) -> String {

@@ -57,13 +57,10 @@ impl<'a> Cursor<'a> {
 
     pub(super) fn number(&mut self, wanted: &'static str, help: &str) -> Result<f64, Complaint> {
         let word = self.need(wanted, help)?;
-        let not = || Problem::Number { word: show(word.text), wanted: "a number" };
-        let value: f64 = word.text.parse().map_err(|_| self.at(word, not(), "write a number such as 1.5 or -250"))?;
-        check_coordinate('x', value).map_err(|_| {
-            let axis = wanted.chars().next().unwrap_or('x');
-            let error = check_coordinate(axis, value).err();
-            self.at(word, error.map_or_else(not, Problem::Coordinate), "")
-        })?;
+        let not = Problem::Number { word: show(word.text), wanted: "a number" };
+        let value: f64 = word.text.parse().map_err(|_| self.at(word, not, "write a number such as 1.5 or -250"))?;
+        let axis = wanted.chars().next().unwrap_or('x');
+        check_coordinate(axis, value).map_err(|error| self.at(word, error.into(), ""))?;
         Ok(value)
     }
 

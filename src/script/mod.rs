@@ -70,11 +70,11 @@ mod syntax;
 mod words;
 
 #[cfg(feature = "play")]
-pub(crate) use parse::{element, parse_on};
-#[cfg(feature = "play")]
 pub(crate) use replay::Writer;
 #[cfg(feature = "play")]
 pub(crate) use syntax::follow;
+#[cfg(feature = "play")]
+pub(crate) use {crate::edits::element, parse::parse_on};
 
 pub use error::{Problem, ScriptError};
 pub use kernel::{KernelStart, KernelStartError};

@@ -5,8 +5,8 @@ use super::error::{Problem, ScriptError};
 use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, kernel_start, plane_start, start_word};
 use super::syntax::{Action, Base, Link, Name, Path, Script, Statement, Value};
 use super::words::{Line, Word, lines};
-use crate::edits::{Argument, Editable, Kind, Row, Takes, find, map_size, rows_of, switch};
-use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::edits::{Argument, Editable, Kind, Row, Takes, element, find, rows_of, switch};
+use crate::ids::Element;
 use crate::old_words::{Language, OldWord};
 use crate::topology::Dcel;
 use std::collections::BTreeMap;
@@ -243,10 +243,9 @@ impl<'a, G: Editable> Parser<'a, G> {
     ) -> Result<Action, Complaint> {
         let help = format!("write {}", row.usage::<G>());
         let mut arguments = Vec::new();
-        for parameter in row.takes {
-            arguments.push(match parameter.takes {
+        for takes in row.takes_on::<G>() {
+            arguments.push(match takes {
                 Takes::Element(kind) => Value::Element(self.element(cursor, &[kind])?),
-                Takes::Place if G::DIMENSION == 0 => continue,
                 Takes::Place => {
                     let mut place = [0.0; 3];
                     for (x, axis) in place[..G::DIMENSION].iter_mut().zip(["x", "y", "z"]) {
@@ -255,13 +254,7 @@ impl<'a, G: Editable> Parser<'a, G> {
                     Value::Plain(Argument::Place(place))
                 }
                 Takes::Number => Value::Plain(Argument::Number(cursor.plain_number("a number", &help)?)),
-                Takes::Map => {
-                    for _ in 0..map_size::<G>() {
-                        let number = cursor.plain_number("the numbers of a map", &help)?;
-                        arguments.push(Value::Plain(Argument::Number(number)));
-                    }
-                    continue;
-                }
+                Takes::Map => Value::Plain(Argument::Number(cursor.plain_number("the numbers of a map", &help)?)),
                 Takes::Switch => {
                     let word = cursor.need("yes or no", &help)?;
                     let not =
@@ -284,10 +277,7 @@ impl<'a, G: Editable> Parser<'a, G> {
     /// The next word as an element of one of the kinds; any kind if none is said.
     fn element(&mut self, cursor: &mut Cursor<'_>, kinds: &[Kind]) -> Result<Path, Complaint> {
         let wanted = match kinds {
-            [Kind::HalfEdge] => "a half-edge",
-            [Kind::Vertex] => "a vertex",
-            [Kind::Edge] => "an edge",
-            [Kind::Face] => "a face",
+            [kind] => kind.a(),
             [Kind::HalfEdge, Kind::Face] => "a half-edge or a face",
             [Kind::HalfEdge, Kind::Vertex] => "a half-edge or a vertex",
             _ => "an element",
@@ -387,13 +377,4 @@ impl<'a, G: Editable> Parser<'a, G> {
         self.script.names.push(Name { text: word.text.to_owned(), line: cursor.line.number, kind });
         self.script.names.len() - 1
     }
-}
-
-/// `h3`, `v0`, `e1` or `f2`.
-pub(crate) fn element(word: &str) -> Option<Element> {
-    let half_edge = || word.parse::<HalfEdgeId>().map(Element::from);
-    let vertex = || word.parse::<VertexId>().map(Element::from);
-    let edge = || word.parse::<EdgeId>().map(Element::from);
-    let face = || word.parse::<FaceId>().map(Element::from);
-    half_edge().or_else(|_| vertex()).or_else(|_| edge()).or_else(|_| face()).ok()
 }

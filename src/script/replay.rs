@@ -25,10 +25,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 pub fn of_edits(corners: &[Point], edits: &[Edit]) -> String {
     let start: Vec<String> = corners.iter().map(|p| format!(" {} {}", p.x, p.y)).collect();
     let start = format!("polygon{}", start.concat());
-    match Subdivision::polygon(corners) {
-        Ok(subdivision) => Writer::write(start, subdivision, edits),
-        Err(_) => start + "\n",
-    }
+    Writer::write(start, Subdivision::polygon(corners).ok(), edits)
 }
 
 /// The script without coordinates that makes these calls; otherwise as [`of_edits`].
@@ -41,20 +38,14 @@ pub fn of_edits(corners: &[Point], edits: &[Edit]) -> String {
 /// ```
 #[must_use]
 pub fn of_kernel_edits(start: &KernelStart, edits: &[KernelEdit]) -> String {
-    match start.build() {
-        Ok(dcel) => Writer::write(start.to_string(), dcel, edits),
-        Err(_) => format!("{start}\n"),
-    }
+    Writer::write(start.to_string(), start.build().ok(), edits)
 }
 
 /// The script in space that makes these calls; otherwise as [`of_edits`].
 #[cfg(feature = "solid")]
 #[must_use]
 pub fn of_solid_edits(start: &super::SolidStart, edits: &[super::SolidEdit]) -> String {
-    match start.build() {
-        Ok(solid) => Writer::write(start.to_string(), solid, edits),
-        Err(_) => format!("{start}\n"),
-    }
+    Writer::write(start.to_string(), start.build().ok(), edits)
 }
 
 /// How far from the named element another one may be that the same edit has made.
@@ -89,7 +80,8 @@ enum Source {
 }
 
 impl<S: Editable> Writer<S> {
-    fn write(start: String, structure: S, edits: &[Call<S>]) -> String {
+    fn write(start: String, structure: Option<S>, edits: &[Call<S>]) -> String {
+        let Some(structure) = structure else { return start + "\n" };
         let mut writer = Self::new(start, structure);
         for edit in edits {
             writer.edit(edit, None);
