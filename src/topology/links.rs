@@ -43,12 +43,7 @@ pub(super) const FREE_END: u32 = 0x7fff_fffe;
 /// Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (the doubly-connected edge list).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Dcel {
-    origin: Vec<u32>,
-    next: Vec<u32>,
-    prev: Vec<u32>,
-    face: Vec<u32>,
-    outgoing: Vec<u32>,
-    boundary: Vec<u32>,
+    columns: Columns,
     pub(super) free: FreeLists,
 }
 
@@ -77,8 +72,8 @@ impl FreeLists {
         Self { vertex: FREE_END, edge: FREE_END, face: FREE_END, vertices: 0, edges: 0, faces: 0, kept: [0; 3] };
 }
 
-/// The whole columns of a structure, as a builder fills them.
-#[derive(Clone, PartialEq, Debug, Default)]
+/// The columns of a structure, as a builder fills them.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Columns {
     pub(crate) origin: Vec<u32>,
     pub(crate) next: Vec<u32>,
@@ -91,6 +86,17 @@ pub(crate) struct Columns {
 impl Columns {
     /// The word of a pointer that has no target: an isolated vertex's `outgoing`.
     pub(crate) const NONE: u32 = NONE;
+
+    /// The four columns that have a word for each half-edge.
+    #[inline(always)]
+    pub(super) fn of_half_edges(&mut self) -> [&mut Vec<u32>; 4] {
+        [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face]
+    }
+
+    pub(super) fn words(&self) -> Words<'_> {
+        let Self { origin, next, prev, face, outgoing, boundary } = self;
+        Words { origin, next, prev, face, outgoing, boundary }
+    }
 }
 
 impl Default for Dcel {
@@ -111,7 +117,7 @@ macro_rules! optional_pointers {
         $(
             #[inline]
             pub(crate) fn $name(&self, from: $from) -> Option<$to> {
-                self.$column.get(from.index()).copied().and_then(target).map($to)
+                self.columns.$column.get(from.index()).copied().and_then(target).map($to)
             }
         )*
     };
@@ -139,48 +145,45 @@ impl Dcel {
 
     /// Takes columns that obey the invariants and have no dead record.
     pub(crate) fn from_columns(columns: Columns) -> Self {
-        let Columns { origin, next, prev, face, outgoing, boundary } = columns;
-        Self { origin, next, prev, face, outgoing, boundary, free: FreeLists::EMPTY }
+        Self { columns, free: FreeLists::EMPTY }
     }
 
     /// Gives the columns back.
     pub(crate) fn into_columns(self) -> Columns {
-        let Self { origin, next, prev, face, outgoing, boundary, .. } = self;
-        Columns { origin, next, prev, face, outgoing, boundary }
+        self.columns
     }
 
     /// All columns.
     pub(crate) fn all_words(&self) -> Words<'_> {
-        let Self { origin, next, prev, face, outgoing, boundary, .. } = self;
-        Words { origin, next, prev, face, outgoing, boundary }
+        self.columns.words()
     }
 
     /// One more than the greatest vertex number ever used: the length of a [`VertexMap`](crate::VertexMap).
     #[must_use]
     #[inline]
     pub fn vertex_bound(&self) -> usize {
-        self.outgoing.len()
+        self.columns.outgoing.len()
     }
 
     /// One more than the greatest half-edge number ever used.
     #[must_use]
     #[inline]
     pub fn half_edge_bound(&self) -> usize {
-        self.next.len()
+        self.columns.next.len()
     }
 
     /// One more than the greatest edge number ever used.
     #[must_use]
     #[inline]
     pub fn edge_bound(&self) -> usize {
-        self.next.len() / 2
+        self.columns.next.len() / 2
     }
 
     /// One more than the greatest face number ever used.
     #[must_use]
     #[inline]
     pub fn face_bound(&self) -> usize {
-        self.boundary.len()
+        self.columns.boundary.len()
     }
 
     /// The vertex a half-edge starts at. O(1).
@@ -193,7 +196,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        VertexId(self.read_link(&self.origin, h.index(), h, "origin"))
+        VertexId(self.read_link(&self.columns.origin, h.index(), h, "origin"))
     }
 
     /// The vertex a half-edge ends at: the origin of its twin. O(1).
@@ -201,7 +204,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn destination(&self, h: HalfEdgeId) -> VertexId {
-        VertexId(self.read_link(&self.origin, h.twin().index(), h, "destination"))
+        VertexId(self.read_link(&self.columns.origin, h.twin().index(), h, "destination"))
     }
 
     /// The other half of the same edge. O(1), no memory access.
@@ -223,7 +226,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
-        HalfEdgeId(self.read_link(&self.next, h.index(), h, "next"))
+        HalfEdgeId(self.read_link(&self.columns.next, h.index(), h, "next"))
     }
 
     /// The half-edge before `h` along the boundary of its face. O(1).
@@ -231,7 +234,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
-        HalfEdgeId(self.read_link(&self.prev, h.index(), h, "prev"))
+        HalfEdgeId(self.read_link(&self.columns.prev, h.index(), h, "prev"))
     }
 
     /// The face on the left of `h`. O(1).
@@ -239,7 +242,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn face(&self, h: HalfEdgeId) -> FaceId {
-        FaceId(self.read_link(&self.face, h.index(), h, "face"))
+        FaceId(self.read_link(&self.columns.face, h.index(), h, "face"))
     }
 
     /// One half-edge that starts at `v`; none if `v` is isolated. O(1).
@@ -248,7 +251,7 @@ impl Dcel {
     #[track_caller]
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.debug_assert_not_removed(v);
-        target(self.read(&self.outgoing, v.index(), v)).map(HalfEdgeId)
+        target(self.read(&self.columns.outgoing, v.index(), v)).map(HalfEdgeId)
     }
 
     /// One half-edge whose face is `f` (the lab's `incidentHalfEdge`); none if `f` has no boundary. O(1).
@@ -257,7 +260,7 @@ impl Dcel {
     #[track_caller]
     pub fn half_edge(&self, f: FaceId) -> Option<HalfEdgeId> {
         self.debug_assert_not_removed(f);
-        target(self.read(&self.boundary, f.index(), f)).map(HalfEdgeId)
+        target(self.read(&self.columns.boundary, f.index(), f)).map(HalfEdgeId)
     }
 
     /// A pointer of a half-edge that must be set. Only debug builds look whether it is.
@@ -292,21 +295,21 @@ impl Dcel {
 
     /// Whether `h` has no face yet: a border half-edge while a structure is being built.
     pub(crate) fn lacks_face(&self, h: HalfEdgeId) -> bool {
-        self.face[h.index()] == NONE
+        self.columns.face[h.index()] == NONE
     }
 
     /// Whether `v` exists: allocated and not removed. O(1).
     #[must_use]
     #[inline]
     pub fn has_vertex(&self, v: VertexId) -> bool {
-        self.outgoing.get(v.index()).is_some_and(|&word| is_live(word))
+        self.columns.outgoing.get(v.index()).is_some_and(|&word| is_live(word))
     }
 
     /// Whether `h` exists: allocated and not removed. O(1).
     #[must_use]
     #[inline]
     pub fn has_half_edge(&self, h: HalfEdgeId) -> bool {
-        self.origin.get(h.index()).is_some_and(|&word| word & TAG == 0)
+        self.columns.origin.get(h.index()).is_some_and(|&word| word & TAG == 0)
     }
 
     /// Whether `e` exists: allocated and not removed. O(1).
@@ -320,15 +323,15 @@ impl Dcel {
     #[must_use]
     #[inline]
     pub fn has_face(&self, f: FaceId) -> bool {
-        self.boundary.get(f.index()).is_some_and(|&word| is_live(word))
+        self.columns.boundary.get(f.index()).is_some_and(|&word| is_live(word))
     }
 
     /// Bytes of memory the structure holds: 16 for each half-edge, 4 for each vertex and each face, live or
     /// free (plus what the vectors have in reserve).
     #[must_use]
     pub fn memory_bytes(&self) -> usize {
-        let columns =
-            [&self.origin, &self.next, &self.prev, &self.face, &self.outgoing, &self.boundary].map(Vec::capacity);
+        let Columns { origin, next, prev, face, outgoing, boundary } = &self.columns;
+        let columns = [origin, next, prev, face, outgoing, boundary].map(Vec::capacity);
         columns.iter().sum::<usize>() * size_of::<u32>() + size_of::<Self>()
     }
 
@@ -343,11 +346,11 @@ impl Dcel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn reserve(&mut self, vertices: usize, edges: usize, faces: usize) {
-        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
+        for column in self.columns.of_half_edges() {
             column.reserve(2 * edges);
         }
-        self.outgoing.reserve(vertices);
-        self.boundary.reserve(faces);
+        self.columns.outgoing.reserve(vertices);
+        self.columns.boundary.reserve(faces);
     }
 
     // ---- pointers that may not be set, for views --------------------------------------------------------
@@ -364,75 +367,75 @@ impl Dcel {
     // ---- raw words, for pool.rs -----------------------------------------------------------------------
 
     pub(super) fn vertex_word(&mut self, v: VertexId) -> &mut u32 {
-        &mut self.outgoing[v.index()]
+        &mut self.columns.outgoing[v.index()]
     }
 
     pub(super) fn edge_words(&mut self, e: EdgeId) -> &mut [u32] {
         let first = e.index() * 2;
-        &mut self.origin[first..first + 2]
+        &mut self.columns.origin[first..first + 2]
     }
 
     pub(super) fn face_word(&mut self, f: FaceId) -> &mut u32 {
-        &mut self.boundary[f.index()]
+        &mut self.columns.boundary[f.index()]
     }
 
     #[inline]
     pub(super) fn push_vertex(&mut self) -> VertexId {
-        self.outgoing.push(NONE);
-        VertexId(self.outgoing.len() as u32 - 1)
+        self.columns.outgoing.push(NONE);
+        VertexId(self.columns.outgoing.len() as u32 - 1)
     }
 
     #[inline(always)]
     pub(super) fn push_edge(&mut self) -> EdgeId {
-        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
+        for column in self.columns.of_half_edges() {
             // Each of them stays in line, however many edits add edges; `extend` does not.
             column.push(NONE);
             column.push(NONE);
         }
-        EdgeId(self.next.len() as u32 / 2 - 1)
+        EdgeId(self.columns.next.len() as u32 / 2 - 1)
     }
 
     #[inline]
     pub(super) fn push_face(&mut self) -> FaceId {
-        self.boundary.push(NONE);
-        FaceId(self.boundary.len() as u32 - 1)
+        self.columns.boundary.push(NONE);
+        FaceId(self.columns.boundary.len() as u32 - 1)
     }
 
     pub(super) fn pop_vertex(&mut self) {
-        self.outgoing.pop();
+        self.columns.outgoing.pop();
     }
 
     pub(super) fn pop_edge(&mut self) {
-        let bound = self.next.len() - 2;
-        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
+        let bound = self.columns.next.len() - 2;
+        for column in self.columns.of_half_edges() {
             column.truncate(bound);
         }
     }
 
     pub(super) fn pop_face(&mut self) {
-        self.boundary.pop();
+        self.columns.boundary.pop();
     }
 
     /// Whether the record is in use: not removed, though none of its pointers may be set yet.
     pub(super) fn has_record(&self, element: Element) -> bool {
         let live = |column: &[u32], i: usize| column.get(i).is_some_and(|&word| is_live(word));
         match element {
-            Element::Vertex(v) => live(&self.outgoing, v.index()),
-            Element::HalfEdge(h) => live(&self.origin, h.index()),
-            Element::Edge(e) => live(&self.origin, 2 * e.index()),
-            Element::Face(f) => live(&self.boundary, f.index()),
+            Element::Vertex(v) => live(&self.columns.outgoing, v.index()),
+            Element::HalfEdge(h) => live(&self.columns.origin, h.index()),
+            Element::Edge(e) => live(&self.columns.origin, 2 * e.index()),
+            Element::Face(f) => live(&self.columns.boundary, f.index()),
         }
     }
 
     /// Where a pointer leads; `None` if it is not set, or its record is dead.
     pub(super) fn raw(&self, slot: Slot) -> Option<Element> {
         let (column, index) = match slot {
-            Slot::Origin(h) => (&self.origin, h.index()),
-            Slot::Next(h) => (&self.next, h.index()),
-            Slot::Prev(h) => (&self.prev, h.index()),
-            Slot::Face(h) => (&self.face, h.index()),
-            Slot::Outgoing(v) => (&self.outgoing, v.index()),
-            Slot::HalfEdge(f) => (&self.boundary, f.index()),
+            Slot::Origin(h) => (&self.columns.origin, h.index()),
+            Slot::Next(h) => (&self.columns.next, h.index()),
+            Slot::Prev(h) => (&self.columns.prev, h.index()),
+            Slot::Face(h) => (&self.columns.face, h.index()),
+            Slot::Outgoing(v) => (&self.columns.outgoing, v.index()),
+            Slot::HalfEdge(f) => (&self.columns.boundary, f.index()),
         };
         column.get(index).and_then(|&word| element(slot, word))
     }
@@ -450,7 +453,7 @@ impl Dcel {
     /// The columns, to be written while no record comes or goes.
     #[inline(always)]
     pub(crate) fn pen(&mut self) -> Pen<'_> {
-        let Self { origin, next, prev, face, outgoing, boundary, .. } = self;
+        let Columns { origin, next, prev, face, outgoing, boundary } = &mut self.columns;
         let bound = next.len();
         Pen {
             origin: &mut origin[..bound],
@@ -493,7 +496,7 @@ mod tests {
         assert_eq!(free, kept);
         free.remove_vertex_record(v, &mut NoRecorder);
         kept.remove_vertex_record(v, &mut NoRecorder);
-        assert_eq!(free.outgoing, kept.outgoing);
+        assert_eq!(free.columns.outgoing, kept.columns.outgoing);
         assert_ne!(free, kept);
         kept.release_ids();
         assert_eq!(free, kept);

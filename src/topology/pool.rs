@@ -41,6 +41,15 @@ pub enum IdError {
 #[error("the structure is full: at most {MAX_IDS} elements of one kind")]
 pub struct TooMany;
 
+impl TooMany {
+    /// Whether so many elements can have ids.
+    #[inline]
+    pub(crate) fn check(vertices: usize, edges: usize, faces: usize) -> Result<(), Self> {
+        let fits = vertices <= MAX_IDS && edges <= MAX_IDS / 2 && faces <= MAX_IDS;
+        if fits { Ok(()) } else { Err(Self) }
+    }
+}
+
 /// Where every element went when a structure was compacted; `None` for removed ones.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Renumbering {
@@ -134,10 +143,7 @@ impl Dcel {
     /// Whether so many more elements fit. Edits ask before they write.
     #[inline]
     pub(crate) fn room_for(&self, vertices: usize, edges: usize, faces: usize) -> Result<(), TooMany> {
-        let fits = self.vertex_count() + vertices <= MAX_IDS
-            && self.half_edge_count() + 2 * edges <= MAX_IDS
-            && self.face_count() + faces <= MAX_IDS;
-        if fits { Ok(()) } else { Err(TooMany) }
+        TooMany::check(self.vertex_count() + vertices, self.edge_count() + edges, self.face_count() + faces)
     }
 
     #[inline(always)]

@@ -3,7 +3,6 @@
 use super::Dcel;
 use super::links::Columns;
 use super::pool::TooMany;
-use crate::ids::MAX_IDS;
 
 /// Why there is no such polygon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -39,9 +38,7 @@ impl Dcel {
         if corners == 0 {
             return Err(PolygonError::NoCorner);
         }
-        if corners > MAX_IDS / 2 {
-            return Err(TooMany.into());
-        }
+        TooMany::check(corners, corners, 2)?;
         let n = corners as u32;
         let both = |inside: fn(u32, u32) -> u32, outside: fn(u32, u32) -> u32| {
             (0..n).flat_map(|i| [inside(i, n), outside(i, n)]).collect()

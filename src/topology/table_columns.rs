@@ -264,8 +264,7 @@ impl View for TableColumns {
         self.details.get(&f.number()).is_some_and(|details| details.hole)
     }
     fn words(&self) -> Option<Words<'_>> {
-        let Columns { origin, next, prev, face, outgoing, boundary } = &self.columns;
-        let twins_are_near = self.twin.is_empty() && origin.len().is_multiple_of(2);
-        twins_are_near.then_some(Words { origin, next, prev, face, outgoing, boundary })
+        let twins_are_near = self.twin.is_empty() && self.columns.origin.len().is_multiple_of(2);
+        twins_are_near.then(|| self.columns.words())
     }
 }

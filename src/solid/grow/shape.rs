@@ -17,7 +17,7 @@ use super::grid::{Sides, backwards, divide, tessellate};
 use super::placed::{Placed, part, stride};
 use super::spun::{Profile, spin};
 use super::{GrowError, Primitives};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId};
 use crate::solid::{Polyhedron, Selection};
 use crate::topology::{Dcel, TooMany};
 use std::collections::BTreeSet;
@@ -164,9 +164,7 @@ impl Shape {
             return Err(GrowError::TooFew { what, given, least });
         }
         let [vertices, edges, faces] = self.counts();
-        if vertices > MAX_IDS || edges > MAX_IDS / 2 || faces > MAX_IDS {
-            return Err(TooMany.into());
-        }
+        TooMany::check(vertices, edges, faces)?;
         Ok(match self {
             Self::Torus { .. } => Dcel::torus(),
             Self::Grid { .. } | Self::Cuboid { .. } => Dcel::polygon(4)?,

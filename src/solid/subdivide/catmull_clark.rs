@@ -13,7 +13,7 @@ use super::{SubdivideError, SubdivideEvent, Subdivided};
 use crate::geometry::threads::{both, pieces};
 use crate::ids::{EdgeId, HalfEdgeId, VertexId};
 use crate::solid::{Polyhedron, Selection};
-use crate::topology::Observer;
+use crate::topology::{Observer, TooMany};
 
 pub(super) fn step(
     solid: &Polyhedron,
@@ -31,7 +31,7 @@ pub(super) fn step(
         middles += 1;
     }
     let (vertices, corners) = (old + edges + middles, coarse.corners.len());
-    Coarse::room(vertices, 2 * edges + corners, corners + d.face_count() - middles)?;
+    TooMany::check(vertices, 2 * edges + corners, corners + d.face_count() - middles)?;
 
     tell(&coarse, &middle_of, observer);
     let sizes = Sizes { vertices, edges: 2 * edges + corners, faces: corners };

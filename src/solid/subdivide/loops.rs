@@ -12,6 +12,7 @@ use super::{SubdivideError, Subdivided};
 use crate::geometry::threads::{both, pieces};
 use crate::ids::{EdgeId, HalfEdgeId};
 use crate::solid::{Polyhedron, Selection};
+use crate::topology::TooMany;
 use std::f64::consts::TAU;
 
 pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Subdivided, SubdivideError> {
@@ -26,7 +27,7 @@ pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Su
     let (old, edges, corners) = (d.vertex_bound(), d.edge_bound(), coarse.corners.len());
     let triangles = corners / 3;
     let faces = corners + triangles;
-    Coarse::room(old + edges, 2 * edges + corners, faces + d.face_count() - triangles)?;
+    TooMany::check(old + edges, 2 * edges + corners, faces + d.face_count() - triangles)?;
 
     // The triangles in the middle come after those of the corners, in the order of their stored half-edges.
     let mut middle_of = vec![0; d.face_bound()];

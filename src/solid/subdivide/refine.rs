@@ -18,10 +18,9 @@
 //! Every half-edge of the finer surface finds its own pointers, so that threads may share them.
 
 use super::super::{Polyhedron, Selection};
-use super::SubdivideError;
 use crate::geometry::threads::{halved, pieces, pieces_of};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
-use crate::topology::{Columns, Dcel, TooMany};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::topology::{Columns, Dcel};
 use std::borrow::Cow;
 
 /// A surface without removed elements, and its creases.
@@ -76,14 +75,6 @@ impl<'a> Coarse<'a> {
     #[inline]
     pub(super) fn is_sharp(&self, h: HalfEdgeId) -> bool {
         self.creases.mask(h.edge()) != 0 || !self.has_corner(h) || !self.has_corner(h.twin())
-    }
-
-    /// Fails if so many elements do not fit.
-    pub(super) fn room(vertices: usize, edges: usize, faces: usize) -> Result<(), SubdivideError> {
-        if vertices > MAX_IDS || edges > MAX_IDS / 2 || faces > MAX_IDS {
-            return Err(TooMany.into());
-        }
-        Ok(())
     }
 
     /// Both halves of each crease.

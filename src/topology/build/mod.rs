@@ -30,7 +30,7 @@ mod streamed;
 
 use super::links::Columns;
 use super::{Dcel, PolygonList, TooMany};
-use crate::ids::{FaceId, MAX_IDS, VertexId};
+use crate::ids::{FaceId, VertexId};
 use bucketed::bucketed;
 pub use error::BuildError;
 pub(crate) use faces::Faces;
@@ -129,11 +129,7 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
     faces: &F,
     first_face: u32,
 ) -> Result<Matched, BuildError> {
-    let corners = faces.corners().len();
-    let most = [vertices, 2 * corners, faces.face_count() + first_face as usize];
-    if most.iter().any(|&n| n > MAX_IDS) {
-        return Err(TooMany.into());
-    }
+    TooMany::check(vertices, faces.corners().len(), faces.face_count() + first_face as usize)?;
     faces.check_each(vertices)?;
     let columns = match is_local(faces.corners()).then(|| streamed(faces, vertices, first_face)) {
         None | Some(Err(Stop::LongList)) => bucketed(faces, vertices, first_face),
