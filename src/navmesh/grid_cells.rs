@@ -11,7 +11,7 @@ use super::hole_edges::HoleEdge;
 use super::marks::{CLOSED, ID};
 use super::slivers::Slivers;
 use crate::geometry::grouping::{Groups, sorted};
-use crate::geometry::point::corners;
+use crate::geometry::point::{around, corners};
 use crate::ids::FaceId;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
@@ -28,9 +28,7 @@ impl Grid {
         let corners = mesh.faces().flat_map(|f| mesh.corners(f));
         let corners = corners.chain(hole_edges.iter().flat_map(|edge| edge.ends)).map(|v| mesh.point(v));
         let first = corners.clone().next().unwrap_or_default();
-        let (min, max) = corners.fold((first, first), |(min, max), p| {
-            (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
-        });
+        let [min, max] = corners.fold([first; 2], around);
         let count = (mesh.face_count() as f64 / 2.0).clamp(1.0, MOST_CELLS);
         let [width, height] = [max.x - min.x, max.y - min.y];
         let mut columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();

@@ -201,19 +201,20 @@ pub(super) fn cheapest_pair<R>(
     best.ok_or(LinkError::Unreachable)
 }
 
-/// Refuses costs that cannot be compared, and layers that are not there.
-pub(super) fn check_costs(costs: impl IntoIterator<Item = f64>) -> Result<(), LinkError> {
-    match costs.into_iter().enumerate().find(|(_, cost)| !cost.is_finite() || *cost < 0.0) {
-        Some((link, cost)) => Err(LinkError::Cost { link, cost }),
-        None => Ok(()),
-    }
+/// The costs of links, if they can be compared.
+pub(super) fn checked_costs(costs: impl Iterator<Item = f64>) -> Result<Vec<f64>, LinkError> {
+    let checked = |(link, cost): (usize, f64)| {
+        if cost.is_finite() && cost >= 0.0 { Ok(cost) } else { Err(LinkError::Cost { link, cost }) }
+    };
+    costs.enumerate().map(checked).collect()
 }
 
-pub(super) fn check(layers: usize, links: &[Link], ends: &[&Stop]) -> Result<(), LinkError> {
+/// The same, if there are no other layers than so many.
+pub(super) fn check(layers: usize, links: &[Link], ends: &[&Stop]) -> Result<Vec<f64>, LinkError> {
     let stops = links.iter().flat_map(|link| [&link.from, &link.to]).chain(ends.iter().copied());
     match stops.into_iter().find(|stop| stop.layer >= layers) {
         Some(stop) => Err(LinkError::NoSuchLayer { layer: stop.layer, layers }),
-        None => check_costs(links.iter().map(|link| link.cost)),
+        None => checked_costs(links.iter().map(|link| link.cost)),
     }
 }
 
@@ -352,7 +353,7 @@ impl Planner {
         if let Some(costs) = costs {
             assert_eq!(costs.len(), layers.len(), "costs for every layer");
         }
-        check(layers.len(), links, &[start, goal])?;
+        let prices = check(layers.len(), links, &[start, goal])?;
         // What a unit as the crow flies costs at least on a layer.
         let cheapest = |(layer, mesh): (usize, &NavMesh)| {
             costs.map_or(1.0, |all| mesh.faces().map(|f| all[layer][f].max(0.0)).fold(f64::INFINITY, f64::min))
@@ -361,7 +362,6 @@ impl Planner {
         let mut work = Work::default();
         let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
         let target = |i: usize| links.get(i).map_or(goal, |link| &link.from);
-        let prices: Vec<f64> = links.iter().map(|link| link.cost).collect();
         let found = over_links(
             &prices,
             Some(()),
@@ -417,9 +417,8 @@ impl Planner {
         start: &Stop,
         limit: f64,
     ) -> Result<Vec<DistanceField>, LinkError> {
-        check(layers.len(), links, &[start])?;
+        let costs = check(layers.len(), links, &[start])?;
         let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
-        let costs: Vec<f64> = links.iter().map(|link| link.cost).collect();
         let found = over_links(
             &costs,
             None,

@@ -420,7 +420,7 @@ impl NavMesh {
 }
 
 /// Whether a face of the map is one of its navmesh.
-fn is_floor(map: &Subdivision, f: FaceId) -> bool {
+pub(super) fn is_floor(map: &Subdivision, f: FaceId) -> bool {
     map.has_face(f) && f != map.outer_face() && !map.is_hole(f)
 }
 

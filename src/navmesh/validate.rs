@@ -14,6 +14,7 @@
 //! input. Every decision is exact.
 
 use super::fault::MeshFault;
+use super::mesh::is_floor;
 use super::weld::near_misses;
 use crate::geometry::grouping::sorted;
 use crate::ids::VertexId;
@@ -237,7 +238,7 @@ fn double_corners(sides: &[Side], is_open: impl Fn(u32) -> bool, faults: &mut Ve
 /// Cost: O(half-edges).
 #[must_use]
 pub fn double_corners_of(map: &Subdivision) -> Vec<VertexId> {
-    let is_open = |f| f != map.outer_face() && !map.is_hole(f);
+    let is_open = |f| is_floor(map, f);
     let holes = |v: &VertexId| {
         map.outgoing_half_edges(*v).filter(|&h| is_open(map.face(h)) && !is_open(map.face(h.twin()))).count()
     };

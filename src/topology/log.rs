@@ -83,17 +83,12 @@ impl<C> Log<C> {
 
     /// Tells another recorder all that is kept here, in order; `tell` passes on an own change.
     pub(crate) fn replay<R: Recorder>(self, rec: &mut R, mut tell: impl FnMut(&mut R, C)) {
-        let mut steps = self.kernel.steps().iter().peekable();
         let mut own = self.own.into_iter().peekable();
-        for (i, &change) in self.kernel.changes().iter().enumerate() {
+        self.kernel.replay(rec, |rec, i| {
             while let Some((_, change)) = own.next_if(|&(at, _)| at <= i) {
                 tell(rec, change);
             }
-            while let Some(step) = steps.next_if(|step| step.start <= i) {
-                rec.step(step.number, step.what);
-            }
-            rec.record(change);
-        }
+        });
         own.for_each(|(_, change)| tell(rec, change));
     }
 }

@@ -228,13 +228,7 @@ impl Dcel {
         let refusal = match (result, astray) {
             (Ok(_), Some(error)) => OwnEditError::Id(error),
             (Ok(value), None) if self.is_sound_at(journal.changes()) => {
-                let mut steps = journal.steps().iter().peekable();
-                for (i, &change) in journal.changes().iter().enumerate() {
-                    while let Some(step) = steps.next_if(|step| step.start <= i) {
-                        rec.step(step.number, step.what);
-                    }
-                    rec.record(change);
-                }
+                journal.replay(rec, |_, _| {});
                 return Ok(value);
             }
             (Ok(_), None) => OwnEditError::Broken { violations: violations(self) },

@@ -182,6 +182,18 @@ impl Journal {
         change
     }
 
+    /// Tells the steps and the changes again, in their order; `before` is called ahead of each change.
+    pub(super) fn replay<R: Recorder>(&self, rec: &mut R, mut before: impl FnMut(&mut R, usize)) {
+        let mut steps = self.steps.iter().peekable();
+        for (i, &change) in self.changes.iter().enumerate() {
+            before(rec, i);
+            while let Some(step) = steps.next_if(|step| step.start <= i) {
+                rec.step(step.number, step.what);
+            }
+            rec.record(change);
+        }
+    }
+
     pub(super) fn drop_empty_steps(&mut self) {
         while self.steps.last().is_some_and(|s| s.start >= self.changes.len()) {
             self.steps.pop();

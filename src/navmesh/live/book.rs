@@ -18,6 +18,7 @@
 //! face: where one is split, so is its list.
 
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::navmesh::mesh::is_floor;
 use crate::plane::{Point, Subdivision};
 use crate::topology::{Change, Slot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -114,9 +115,8 @@ impl Book {
             false => [map.outer_face(); 2],
         };
         let beside: Vec<[FaceId; 2]> = (0..edges as u32).map(|e| beside(EdgeId::new(e))).collect();
-        let is_hole = |f: FaceId| f == map.outer_face() || map.is_hole(f);
         let area = |f: FaceId| areas.get(f.index());
-        let cuts = beside.iter().map(|&[f, g]| !is_hole(f) && !is_hole(g) && area(f) == area(g)).collect();
+        let cuts = beside.iter().map(|&[f, g]| is_floor(map, f) && is_floor(map, g) && area(f) == area(g)).collect();
         Self { first: First { vertices, edges, faces, beside, cuts, areas }, ..Self::default() }
     }
 

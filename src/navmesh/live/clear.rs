@@ -17,6 +17,7 @@ use super::back::{bring_back, name_faces};
 use super::book::{Book, Return};
 use super::cut::{make_convex, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::navmesh::mesh::is_floor;
 use crate::plane::cycle::turns_left_or_runs_straight;
 use crate::plane::{JoinEdgesError, PlaneJournal, Subdivision};
 use std::collections::BTreeSet;
@@ -76,7 +77,7 @@ pub(super) fn clear(
         }
     }
     let mut faces = written_faces(map, &rec.kernel().changes()[begin..]);
-    faces.retain(|&f| f != map.outer_face() && !map.is_hole(f));
+    faces.retain(|&f| is_floor(map, f));
     name_faces(map, book, &faces, rec)?;
     book.follow(&rec.kernel().changes()[joined_from..]);
     Ok(returned)
@@ -86,8 +87,8 @@ pub(super) fn clear(
 fn vertices_near(map: &Subdivision, edges: &[EdgeId]) -> BTreeSet<VertexId> {
     let ends = edges.iter().flat_map(|e| e.half_edges()).map(|h| map.origin(h));
     let mut near: BTreeSet<VertexId> = ends.collect();
-    let is_hole = |f: &FaceId| *f == map.outer_face() || map.is_hole(*f);
-    let faces: BTreeSet<FaceId> = near.iter().flat_map(|&v| map.incident_faces(v)).filter(|f| !is_hole(f)).collect();
+    let faces: BTreeSet<FaceId> =
+        near.iter().flat_map(|&v| map.incident_faces(v)).filter(|&f| is_floor(map, f)).collect();
     near.extend(faces.into_iter().flat_map(|f| map.incident_vertices(f)));
     near
 }

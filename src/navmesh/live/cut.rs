@@ -11,6 +11,7 @@ use super::ObstacleError;
 use super::book::Book;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
 use crate::navmesh::location::is_between;
+use crate::navmesh::mesh::is_floor;
 use crate::plane::predicates::orientation;
 use crate::plane::{InsertEdgeError, PlaneJournal, Point, Subdivision, most_looked_at};
 use crate::topology::{Change, InnerComponent, Slot};
@@ -41,8 +42,7 @@ pub(super) fn make_convex(
     faces: BTreeSet<FaceId>,
     rec: &mut PlaneJournal,
 ) -> Result<BTreeSet<FaceId>, ObstacleError> {
-    let is_hole = |f: FaceId| f == map.outer_face() || map.is_hole(f);
-    let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_hole(f)).collect();
+    let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| is_floor(map, f)).collect();
     let mut faces: Vec<FaceId> = done.iter().copied().collect();
     while let Some(face) = faces.pop() {
         tie(map, face, rec)?;

@@ -45,8 +45,7 @@ impl Boxes {
         tree.ranges[leaves] = boxes.len() as u32;
         tree.part(boxes, 0, 0, boxes.len());
         for i in 0..leaves {
-            let range = tree.ranges[i] as usize..tree.ranges[i + 1] as usize;
-            tree.nodes[tree.leaves + i] = tree.order[range].iter().fold(EMPTY, |all, &t| join(all, boxes[t as usize]));
+            tree.nodes[tree.leaves + i] = tree.leaf(i).iter().fold(EMPTY, |all, &t| join(all, boxes[t as usize]));
         }
         for i in (0..tree.leaves).rev() {
             tree.nodes[i] = join(tree.nodes[2 * i + 1], tree.nodes[2 * i + 2]);
@@ -72,6 +71,11 @@ impl Boxes {
         self.part(boxes, 2 * node + 2, start + middle, end);
     }
 
+    /// The triangles of a leaf.
+    fn leaf(&self, i: usize) -> &[u32] {
+        &self.order[self.ranges[i] as usize..self.ranges[i + 1] as usize]
+    }
+
     /// How many nodes there are.
     pub(super) fn node_count(&self) -> usize {
         self.nodes.len()
@@ -80,8 +84,8 @@ impl Boxes {
     /// The leaf of each triangle. O(n).
     pub(super) fn leaves(&self) -> Vec<u32> {
         let mut leaves = vec![0; self.order.len()];
-        for (i, range) in (self.leaves as u32..).zip(self.ranges.windows(2)) {
-            self.order[range[0] as usize..range[1] as usize].iter().for_each(|&t| leaves[t as usize] = i);
+        for i in 0..=self.leaves {
+            self.leaf(i).iter().for_each(|&t| leaves[t as usize] = (self.leaves + i) as u32);
         }
         leaves
     }
@@ -104,9 +108,7 @@ impl Boxes {
                 continue;
             }
             if node >= self.leaves {
-                let i = node - self.leaves;
-                let range = self.ranges[i] as usize..self.ranges[i + 1] as usize;
-                self.order[range].iter().for_each(|&t| visit(t as usize));
+                self.leaf(node - self.leaves).iter().for_each(|&t| visit(t as usize));
             } else {
                 stack.extend([2 * node + 2, 2 * node + 1]);
             }
@@ -131,9 +133,7 @@ impl Boxes {
                 return;
             }
             if node >= self.leaves {
-                let i = node - self.leaves;
-                let range = self.ranges[i] as usize..self.ranges[i + 1] as usize;
-                self.order[range].iter().for_each(|&t| best = best.min(visit(t as usize)));
+                self.leaf(node - self.leaves).iter().for_each(|&t| best = best.min(visit(t as usize)));
             } else {
                 queue.extend([2 * node + 1, 2 * node + 2].map(|node| Reverse((distance(node).to_bits(), node))));
             }

@@ -1,6 +1,6 @@
 //! Links between places of a surface: teleports, lifts, jumps.
 
-use super::super::links::{Found, LinkError, cheapest_pair, check_costs, over_links};
+use super::super::links::{Found, LinkError, cheapest_pair, checked_costs, over_links};
 use super::super::{PathAlgorithm, Work};
 use super::{NavSurface, SurfaceField, SurfacePlanner, SurfacePoint, SurfaceRoute, between};
 use crate::ids::FaceMap;
@@ -49,10 +49,9 @@ impl SurfacePlanner {
         costs: Option<&FaceMap<f64>>,
         [start, goal]: [&SurfacePoint; 2],
     ) -> Result<LinkedSurfaceRoute, LinkError> {
-        check_costs(links.iter().map(|link| link.cost))?;
+        let prices = checked_costs(links.iter().map(|link| link.cost))?;
         let target = |i: usize| links.get(i).map_or(goal, |link| &link.from);
         let least = costs.map_or(1.0, |costs| surface.faces().map(|f| costs[f].max(0.0)).fold(f64::INFINITY, f64::min));
-        let prices: Vec<f64> = links.iter().map(|link| link.cost).collect();
         let mut work = Work::default();
         let found = over_links(
             &prices,
@@ -110,8 +109,7 @@ impl SurfacePlanner {
         start: &SurfacePoint,
         limit: f64,
     ) -> Result<SurfaceField, LinkError> {
-        check_costs(links.iter().map(|link| link.cost))?;
-        let prices: Vec<f64> = links.iter().map(|link| link.cost).collect();
+        let prices = checked_costs(links.iter().map(|link| link.cost))?;
         let found = over_links(
             &prices,
             None,

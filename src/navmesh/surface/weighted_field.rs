@@ -1,6 +1,6 @@
 //! Fields of distances with costs, on a surface.
 
-use super::super::links::{LinkError, check_costs};
+use super::super::links::{LinkError, checked_costs};
 use super::super::weighted::{Cells, common};
 use super::{NONE, NavSurface, SurfaceField, SurfaceLink, SurfacePlanner, SurfacePoint};
 use crate::ids::{FaceMap, VertexId};
@@ -24,7 +24,7 @@ impl SurfacePlanner {
         limit: f64,
     ) -> Result<SurfaceField, LinkError> {
         assert!(costs.len() >= surface.face_bound(), "{} costs for {} faces", costs.len(), surface.face_bound());
-        check_costs(links.iter().map(|link| link.cost))?;
+        checked_costs(links.iter().map(|link| link.cost))?;
         if let Some(cost) = common(costs, surface.faces()).filter(|&cost| cost > 0.0 && links.is_empty()) {
             let mut field = self.distance_field(surface, start, limit / cost);
             (0..field.lengths.len() as u32).for_each(|v| field.lengths[VertexId::new(v)] *= cost);
