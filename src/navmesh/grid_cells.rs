@@ -92,15 +92,12 @@ impl Grid {
         let mut most = (self.most_entries() + gone.len()).saturating_sub(self.entries[0]);
         let (mut entries, mut corners) = (Vec::new(), Vec::new());
         for &f in come {
-            corners.clear();
-            corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
             let before = entries.len();
-            self.list(mesh, f, &corners, &mut entries);
+            self.list(mesh, f, &mut corners, &mut entries);
             // Entries for holes may be there already.
             let cells = entries[before..].iter().filter(|&&(_, item)| item & GAP == 0).count();
             let Some(left) = most.checked_sub(cells) else { return false };
             most = left;
-            self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
         }
         let entries = sorted(entries);
         let (mut gone, mut come) = (gone.as_slice(), entries.as_slice());
@@ -192,8 +189,12 @@ impl Grid {
         self.cells[cell] = place as u32;
     }
 
-    /// Appends for each cell into which a face reaches that face, and the holes behind its sides that reach there.
-    fn list(&self, mesh: &NavMesh, f: FaceId, corners: &[Point], entries: &mut Vec<(u32, u32)>) {
+    /// Appends for each cell into which a face reaches that face, and the holes behind its sides that reach there. The
+    /// coarse lattice takes the face in, too. What `corners` held is gone.
+    fn list(&mut self, mesh: &NavMesh, f: FaceId, corners: &mut Vec<Point>, entries: &mut Vec<(u32, u32)>) {
+        corners.clear();
+        corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
+        self.coarse.put(slot_of(&mesh.faces, f.number()), corners);
         self.visit_cells(corners, |cell| entries.push((cell, f.number())));
         for (ends, name) in hole_sides(mesh, f) {
             self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
@@ -204,10 +205,7 @@ impl Grid {
         let mut pairs: Vec<(u32, u32)> = Vec::new();
         let mut corners = Vec::new();
         for f in mesh.faces() {
-            corners.clear();
-            corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
-            self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
-            self.list(mesh, f, &corners, &mut pairs);
+            self.list(mesh, f, &mut corners, &mut pairs);
         }
         let by_edge = self.hole_cells.iter();
         pairs.extend(by_edge.flat_map(|&(cell, i)| self.hole_edges[i as usize].holes.map(|hole| (cell, GAP | hole))));

@@ -130,13 +130,9 @@ impl Dcel {
     pub(crate) fn debug_assert_not_removed(&self, element: impl Into<Element>) {
         if cfg!(debug_assertions) {
             let element = element.into();
-            let is_known = match element {
-                Element::Vertex(v) => v.index() < self.vertex_bound(),
-                Element::HalfEdge(h) => h.index() < self.half_edge_bound(),
-                Element::Edge(e) => e.index() < self.edge_bound(),
-                Element::Face(f) => f.index() < self.face_bound(),
-            };
-            assert!(!is_known || self.has_record(element), "{}", IdError::Removed(element));
+            if let Err(error @ IdError::Removed(_)) = self.check(element) {
+                assert!(self.has_record(element), "{error}");
+            }
         }
     }
 

@@ -347,64 +347,53 @@ impl Book {
     /// Whether a side of an obstacle runs along an edge. O(log n), however many others do.
     fn set_border(&mut self, e: EdgeId, side: SideOf, there: bool) {
         let owners = self.borders.entry(e).or_default();
-        let was_there = if there { !owners.insert(side) } else { owners.remove(&side) };
+        let was_there = keep(owners, side, there);
         // Another side of the obstacle may run along it, too.
         let runs_along = owners.range((side.0, 0)..=(side.0, usize::MAX)).next().is_some();
         if owners.is_empty() {
             self.borders.remove(&e);
         }
-        let edges = &mut self.obstacles.entry(side.0).or_default().edges;
-        if runs_along {
-            edges.insert(e);
-        } else {
-            edges.remove(&e);
-        }
+        keep(&mut self.obstacles.entry(side.0).or_default().edges, e, runs_along);
         self.before.push(Before::Border(e, side, was_there));
     }
 
     fn set_borders(&mut self, e: EdgeId, owners: BTreeSet<SideOf>) {
         let before = self.borders.remove(&e).unwrap_or_default();
-        for (obstacle, _) in &before {
-            self.obstacles.entry(*obstacle).or_default().edges.remove(&e);
+        for (owners, there) in [(&before, false), (&owners, true)] {
+            for (obstacle, _) in owners {
+                keep(&mut self.obstacles.entry(*obstacle).or_default().edges, e, there);
+            }
         }
-        for (obstacle, _) in &owners {
-            self.obstacles.entry(*obstacle).or_default().edges.insert(e);
-        }
-        if !owners.is_empty() {
-            self.borders.insert(e, owners);
-        }
+        put(&mut self.borders, e, (!owners.is_empty()).then_some(owners));
         self.before.push(Before::Borders(e, before));
     }
 
     /// Whether an obstacle covers a face. O(log n), however many others do.
     fn set_cover(&mut self, f: FaceId, obstacle: ObstacleId, there: bool) {
         let owners = self.covers.entry(f).or_default();
-        let was_there = if there { !owners.insert(obstacle) } else { owners.remove(&obstacle) };
+        let was_there = keep(owners, obstacle, there);
         if owners.is_empty() {
             self.covers.remove(&f);
         }
-        let faces = &mut self.obstacles.entry(obstacle).or_default().faces;
-        if there {
-            faces.insert(f);
-        } else {
-            faces.remove(&f);
-        }
+        keep(&mut self.obstacles.entry(obstacle).or_default().faces, f, there);
         self.before.push(Before::Cover(f, obstacle, was_there));
     }
 
     fn set_covers(&mut self, f: FaceId, owners: BTreeSet<ObstacleId>) {
         let before = self.covers.remove(&f).unwrap_or_default();
-        for obstacle in &before {
-            self.obstacles.entry(*obstacle).or_default().faces.remove(&f);
+        for (owners, there) in [(&before, false), (&owners, true)] {
+            for obstacle in owners {
+                keep(&mut self.obstacles.entry(*obstacle).or_default().faces, f, there);
+            }
         }
-        for obstacle in &owners {
-            self.obstacles.entry(*obstacle).or_default().faces.insert(f);
-        }
-        if !owners.is_empty() {
-            self.covers.insert(f, owners);
-        }
+        put(&mut self.covers, f, (!owners.is_empty()).then_some(owners));
         self.before.push(Before::Covers(f, before));
     }
+}
+
+/// Puts an item into a set or takes it out. Returns whether it was there.
+fn keep<T: Ord>(set: &mut BTreeSet<T>, item: T, there: bool) -> bool {
+    if there { !set.insert(item) } else { set.remove(&item) }
 }
 
 /// Sets or takes out a value. Returns the one before.

@@ -195,8 +195,9 @@ impl SurfacePlanner {
         goal: &SurfacePoint,
     ) -> Result<SurfaceRoute, SurfaceRouteError> {
         let [from, to] = [start, goal].map(|place| surface.component(place.face).unwrap_or(NONE));
+        let unreachable = SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to };
         if from != to {
-            return Err(SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to });
+            return Err(unreachable);
         }
         self.begin(surface);
         let [starts, goals] = [start, goal].map(|place| surface.triangles_at(place));
@@ -220,7 +221,6 @@ impl SurfacePlanner {
             Strip { surface, first, portals: &portals }.pull([start, goal], costs)
         });
         // Within a component there is a path.
-        let unreachable = SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to };
         let best = routes.min_by(|one, other| one.cost.total_cmp(&other.cost)).ok_or(unreachable)?;
         Ok(SurfaceRoute { work: self.work, ..best })
     }
