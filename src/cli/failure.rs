@@ -94,8 +94,17 @@ impl Failure {
 
     /// An error whose words say what helps, behind a semicolon; the place stands before them.
     pub(crate) fn helped(place: impl Display, error: impl Display) -> Self {
-        let text = error.to_string();
-        let (what, help) = text.split_once("; ").unwrap_or((&text, ""));
+        Self::cut(place, &error.to_string(), "; ")
+    }
+
+    /// What the kit refuses to do with this file, in words that say what helps behind a colon.
+    pub(crate) fn refused(place: impl Display, error: impl Display) -> Self {
+        Self::cut(format!("{place}: "), &error.to_string(), ": ")
+    }
+
+    /// What helps stands behind the mark.
+    fn cut(place: impl Display, text: &str, mark: &str) -> Self {
+        let (what, help) = text.split_once(mark).unwrap_or((text, ""));
         Self::input(format!("{place}{what}"), help)
     }
 

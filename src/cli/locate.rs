@@ -93,10 +93,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     // The file says where y points; the points are given in its coordinates.
     let asked: Vec<Point> =
         given.iter().map(|&p| if args.input.y_down { Point::new(p.x, 0.0 - p.y) } else { p }).collect();
-    let walks = match args.walk {
-        Some(start) => Some(walks(s, start, &asked)?),
-        None => None,
-    };
+    let walks = args.walk.map(|start| walks(s, start, &asked)).transpose()?;
     let found = match &walks {
         Some(walks) => walks.iter().map(|walk| walk.location).collect(),
         None if asked.len() < FEW => asked.iter().map(|&p| s.locate(p)).collect(),

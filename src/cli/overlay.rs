@@ -87,10 +87,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let both = both.map_err(fails)?;
     let parts = if args.join { Parts::Joined } else { Parts::Kept };
-    let region = match args.operation {
-        Some(operation) => Some((operation, both.region(operation, parts).map_err(fails)?)),
-        None => None,
-    };
+    let region = args.operation.map(|operation| both.region(operation, parts).map(|region| (operation, region)));
+    let region = region.transpose().map_err(fails)?;
     let made = region.as_ref().map_or(&both.subdivision, |(_, region)| region);
     let names = if region.is_none() { names(&a, &b, &both) } else { FaceMap::default() };
     let model = || Model::planar(made).with_names(|f| names.get(f)?.as_deref());

@@ -5,7 +5,7 @@ use super::{Args, Refused};
 use crate::Failure;
 use crate::input::refuse_object;
 use crate::navmesh::{PathFilm, path_film};
-use crate::solid::{check_finer, direction, open_solid, points_in_space, refused};
+use crate::solid::{check_finer, direction, open_solid, points_in_space};
 use crate::subject::{Kind, Subject};
 use dcel_kit::VertexId;
 use dcel_kit::figure::{SketchFilm, algorithms};
@@ -106,7 +106,7 @@ fn in_space(args: &Args) -> Result<SketchFilm, Refused> {
     solid.check(start).map_err(|error| Failure::input(format!("--start: {error}"), ""))?;
     let convex = solid.check_convex().map_err(|error| Refused {
         film: Some(algorithms::refusal_in_space(&solid, &error.to_string(), &error.elements())),
-        failure: Box::new(refused(&args.file, &error)),
+        failure: Box::new(Failure::refused(args.file.display(), error)),
     })?;
     Ok(algorithms::hill_climbing(&solid, &convex, direction, start, args.most))
 }

@@ -195,13 +195,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let whole = args.map.open_draft(draft, &args.extras.costs.cost)?;
     let help = "give x y of the start and x y of the goal";
     let [from, to] = whole.points(&args.ends, "a path has two ends", help)?;
-    let inset = match args.radius.filter(|&radius| radius > 0.0) {
-        Some(radius) => {
-            let inset = whole.mesh.inset_within(radius, args.tolerance);
-            Some(inset.map_err(|error| no_inset(&whole.source, &error))?)
-        }
-        None => None,
-    };
+    let radius = args.radius.filter(|&radius| radius > 0.0);
+    let inset = radius.map(|radius| whole.mesh.inset_within(radius, args.tolerance)).transpose();
+    let inset = inset.map_err(|error| no_inset(&whole.source, &error))?;
     let ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
     let maps = Maps { whole, inset, ways };
     let wishes = [
@@ -266,13 +262,11 @@ fn linked(
 
 /// Why nothing is left of a map for an agent with a radius: what helps stands behind the colon.
 fn no_inset(source: &str, error: &InsetError) -> Failure {
-    let text = error.to_string();
     match error {
         InsetError::NoRoom { .. } | InsetError::Radius { .. } | InsetError::Tolerance { .. } => {
-            let (what, help) = text.split_once(": ").unwrap_or((&text, ""));
-            Failure::input(format!("{source}: {what}"), help)
+            Failure::refused(source, error)
         }
-        _ => Failure::about(source, text),
+        _ => Failure::about(source, error),
     }
 }
 

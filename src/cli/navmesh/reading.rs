@@ -436,13 +436,13 @@ impl MapArgs {
         let frame = self.frame(format);
         cut_along(areas, &source, &mut subdivision, |p| frame.point(p))?;
         let mesh = NavMesh::new(&subdivision).map_err(|error| {
-            let what = error.to_string();
-            let (what, own_help) = what.split_once(": ").unwrap_or((&what, ""));
-            let help = match error {
-                NavMeshError::Concave { .. } | NavMeshError::Rings { .. } => "cut the faces up with --triangles",
-                _ => own_help,
-            };
-            Failure::input(format!("{source}: {what}"), help)
+            let failure = Failure::refused(&source, &error);
+            match error {
+                NavMeshError::Concave { .. } | NavMeshError::Rings { .. } => {
+                    failure.helped_by("cut the faces up with --triangles")
+                }
+                _ => failure,
+            }
         })?;
         let map = Map { source, format, subdivision, mesh, names, known_costs: None, frame, level };
         if !self.obstacles.are_given() {

@@ -138,10 +138,3 @@ pub(crate) fn direction(numbers: [f64; 3]) -> Result<Direction, Failure> {
     Direction::try_from(numbers)
         .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))
 }
-
-/// Splits `what; help` as errors of the kit write it.
-pub(crate) fn refused(place: &Path, error: &impl std::fmt::Display) -> Failure {
-    let text = error.to_string();
-    let (what, help) = text.split_once(": ").unwrap_or((&text, ""));
-    Failure::input(format!("{}: {what}", place.display()), help)
-}

@@ -1,6 +1,6 @@
 //! `dcel solid dual`: faces become vertices.
 
-use super::common::{Target, open, refused};
+use super::common::{Target, open};
 use crate::{Answer, Failure, InputOptions, Output};
 use dcel_kit::solid::DualPositions;
 use std::path::PathBuf;
@@ -27,7 +27,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.target.check(Some(&args.file))?;
     let solid = open(&args.file, &args.input)?;
-    let dual = solid.dual().map_err(|error| refused(&args.file, &error))?;
+    let dual = solid.dual().map_err(|error| Failure::refused(args.file.display(), error))?;
     let note = match dual.positions {
         DualPositions::Polar => "polar: the plane n x = 1 of a face has its vertex at n",
         DualPositions::Means => "each vertex is the mean of the corners of its face",

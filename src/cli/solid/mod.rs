@@ -22,7 +22,7 @@ mod split;
 mod subdivide;
 mod support;
 
-pub(crate) use common::{check_finer, direction, open as open_solid, points_in_space, refused, vector};
+pub(crate) use common::{check_finer, direction, open as open_solid, points_in_space, vector};
 
 use super::choice::commands;
 use super::{Answer, Failure, Output};

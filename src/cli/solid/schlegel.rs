@@ -1,6 +1,6 @@
 //! `dcel solid schlegel`: a convex solid seen through a face, as a structure of the plane.
 
-use super::common::{open, refused};
+use super::common::open;
 use crate::save::{Files, InPlace, save};
 use crate::{Answer, Crop, Failure, InputOptions, Output, Page, Target};
 use dcel_kit::figure::{self, FigureOptions};
@@ -46,7 +46,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.page.files(files).check()?;
     let solid = open(&args.file, &args.input)?;
     let face = args.through.or_else(|| solid.polygon_faces().next()).unwrap_or(FaceId::new(0));
-    let seen = solid.schlegel(face).map_err(|error| refused(&args.file, &error))?;
+    let seen = solid.schlegel(face).map_err(|error| Failure::refused(args.file.display(), error))?;
     if let Some(target) = &target {
         let names = seen.faces.iter().map(|(f, of)| (f, format!("{f} = {of}")));
         let options =

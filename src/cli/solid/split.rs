@@ -1,6 +1,6 @@
 //! `dcel solid split`: a face cut in two.
 
-use super::common::{Target, open, refused};
+use super::common::{Target, open};
 use crate::output::names;
 use crate::{Answer, Failure, InputOptions, Output};
 use dcel_kit::plane::{Point, Subdivision};
@@ -41,7 +41,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut solid = open(&args.file, &args.input)?;
     let [from, to] = [corner(args, &solid, args.one)?, corner(args, &solid, args.other)?];
     let before = solid.clone();
-    let (diagonal, _) = solid.split_face(from, to).map_err(|error| refused(&args.file, &error))?;
+    let (diagonal, _) = solid.split_face(from, to).map_err(|error| Failure::refused(args.file.display(), error))?;
     if !lies_inside(&before, args.face, &solid, diagonal) {
         let what = format!(
             "{}: the line from {} to {} does not lie inside {}",

@@ -1,6 +1,6 @@
 //! `dcel solid subdivide`: finer and rounder.
 
-use super::common::{Target, check_finer, open, refused};
+use super::common::{Target, check_finer, open};
 use crate::choice::{number, within};
 use crate::{Answer, Failure, InputOptions, Output};
 use dcel_kit::EdgeId;
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let finer = finer.map_err(|error| {
             let help =
                 "cut its faces into triangles with dcel solid split, or leave --loop out: Catmull–Clark takes them all";
-            refused(&args.file, &error).helped_by(help)
+            Failure::refused(args.file.display(), error).helped_by(help)
         })?;
         (solid, creases) = (finer.polyhedron, finer.creases);
     }

@@ -1,6 +1,6 @@
 //! `dcel solid support`: the vertex furthest in a direction, and the way there.
 
-use super::common::{direction, open, refused, vector};
+use super::common::{direction, open, vector};
 use crate::output::point;
 use crate::{Answer, Failure, InputOptions, Output, fields, tell};
 use dcel_kit::ids::VertexId;
@@ -43,7 +43,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         None => solid.vertices().next().unwrap_or(VertexId::new(0)),
     };
-    let convex = solid.check_convex().map_err(|error| refused(&args.file, &error))?;
+    let convex = solid.check_convex().map_err(|error| Failure::refused(args.file.display(), error))?;
     let path = convex.climb(direction, start);
     let last = path.last().copied().unwrap_or(start);
     let names: Vec<String> = path.iter().map(ToString::to_string).collect();
