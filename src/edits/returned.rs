@@ -127,7 +127,8 @@ impl Returns for InsertedSegment {
 /// assert!(matches!(error.downcast_ref(), Some(SplitFaceError::Topology(_))));
 /// # Ok::<(), dcel_kit::edits::CallError>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, thiserror::Error)]
+#[error(transparent)]
 pub struct EditError(Arc<dyn Error + Send + Sync>);
 
 impl EditError {
@@ -148,17 +149,5 @@ impl PartialEq for EditError {
     /// Refusals are the same if they say the same.
     fn eq(&self, other: &Self) -> bool {
         self.to_string() == other.to_string()
-    }
-}
-
-impl fmt::Display for EditError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl Error for EditError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        self.0.source()
     }
 }

@@ -1,9 +1,11 @@
 //! The faults that faces may have that should be a navmesh.
 
+use super::fault_sentence::NUMBERS;
 use crate::plane::{ConvertError, CoordinateError, Point};
 
 /// A fault of faces that should be a navmesh.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.sentence(&NUMBERS))]
 #[non_exhaustive]
 pub enum MeshFault {
     /// A vertex with coordinates that cannot be computed with.
@@ -135,6 +137,7 @@ pub enum MeshFault {
         distance: f64,
     },
     /// What the converter refuses beyond that.
+    #[error(transparent)]
     Convert(ConvertError),
     /// There are more than can be named.
     More {
