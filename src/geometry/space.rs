@@ -27,6 +27,12 @@ pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+/// The normal of a triangle, twice as long as its area.
+#[inline]
+pub(crate) fn normal([a, b, c]: [Vector; 3]) -> Vector {
+    cross(minus(b, a), minus(c, a))
+}
+
 #[inline]
 pub(crate) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
@@ -36,6 +42,13 @@ pub(crate) fn length(a: Vector) -> f64 {
 #[cfg(feature = "navmesh")]
 pub(crate) fn between(a: Vector, b: Vector) -> f64 {
     length(minus(b, a))
+}
+
+/// The point at the fraction `t` of the path from `a` to `b`.
+#[cfg(feature = "navmesh")]
+#[inline]
+pub(crate) fn lerp(a: Vector, b: Vector, t: f64) -> Vector {
+    [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
 }
 
 /// Whether three points lie on one line, exactly: they do as seen along each axis.

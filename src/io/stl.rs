@@ -39,7 +39,7 @@ use crate::geometry::number::Number;
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, check_coordinate};
 use crate::progress::Stage;
-use crate::solid::vector::{cross, dot, minus, plus};
+use crate::solid::vector::{dot, normal, plus};
 use crate::topology::PolygonList;
 use std::cmp::Ordering;
 use std::io::Write;
@@ -310,8 +310,4 @@ pub fn rounding(model: &Model<'_>, format: Format) -> Option<String> {
 /// The triangles from the first corner of a cycle.
 fn fans(cycle: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     cycle[1..].windows(2).map(|pair| [cycle[0], pair[0], pair[1]])
-}
-
-fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    cross(minus(b, a), minus(c, a))
 }

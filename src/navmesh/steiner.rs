@@ -16,7 +16,9 @@
 //! that grows with the distance is that of Aleksandrov, Maheshwari and Sack, *Approximation algorithms for geometric shortest
 //! path problems*, 2000.
 
+use super::surface::Space;
 use crate::geometry::grouping::Groups;
+use crate::geometry::space::{dot, lerp, minus};
 
 /// How many points every side has, its ends left out.
 const EVEN: u32 = 6;
@@ -36,9 +38,6 @@ const GROWTH: f64 = 1.25;
 /// No place is taken to be nearer to a side than this share of its length.
 const NEAREST: f64 = 1e-6;
 
-/// A point in space.
-pub(super) type Space = [f64; 3];
-
 /// A side, and the faces beside it.
 pub(super) struct Side {
     pub(super) ends: [Space; 2],
@@ -49,7 +48,7 @@ pub(super) struct Side {
 impl Side {
     pub(super) fn at(&self, share: f64) -> Space {
         let [a, b] = self.ends;
-        [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * share)
+        lerp(a, b, share)
     }
 
     fn length(&self) -> f64 {
@@ -63,8 +62,7 @@ impl Side {
     /// Where on the side it is nearest to a point, as a share of its length, and how near.
     fn foot(&self, p: Space) -> (f64, f64) {
         let [a, b] = self.ends;
-        let [along, to] = [b, p].map(|q| [0, 1, 2].map(|k| q[k] - a[k]));
-        let dot = |u: Space, v: Space| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+        let [along, to] = [b, p].map(|q| minus(q, a));
         let square = dot(along, along);
         let share = if square > 0.0 { (dot(along, to) / square).clamp(0.0, 1.0) } else { 0.0 };
         (share, distance(p, self.at(share)))

@@ -10,7 +10,8 @@
 //! Source: Lanthier, Maheshwari and Sack, *Approximating shortest paths on weighted polyhedral surfaces*, 2001.
 
 use super::Work;
-use super::steiner::{Side, Space, distance, steiner_points};
+use super::steiner::{Side, distance, steiner_points};
+use super::surface::Space;
 use crate::geometry::grouping::Groups;
 use crate::ids::{FaceId, FaceMap};
 use std::cmp::Reverse;

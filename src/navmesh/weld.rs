@@ -13,13 +13,11 @@
 //! other never meet.
 
 use super::fault::MeshFault;
+use super::surface::Space;
 use crate::geometry::grouping::{grouped, sorted};
-use crate::geometry::space::{are_collinear, between, check_place};
+use crate::geometry::space::{are_collinear, between, check_place, dot, lerp, minus};
 use crate::plane::Point;
 use crate::topology::PolygonList;
-
-/// A point in space; the third coordinate is the height, 0 for a map of the plane.
-type Space = [f64; 3];
 
 /// What nearly meets is told for distances up to this part of the extent of the map ...
 const SUSPICIOUS: f64 = 3e-4;
@@ -278,10 +276,9 @@ fn flat(points: &[Point]) -> Vec<Space> {
 
 /// Where on the segment the nearest point to `p` is, from 0 to 1, and how far away.
 fn along_and_apart([a, b]: [Space; 2], p: Space) -> (f64, f64) {
-    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    let t = ((p[0] - a[0]) * x + (p[1] - a[1]) * y + (p[2] - a[2]) * z) / (x * x + y * y + z * z);
-    let on = t.clamp(0.0, 1.0);
-    (t, between([a[0] + x * on, a[1] + y * on, a[2] + z * on], p))
+    let along = minus(b, a);
+    let t = dot(minus(p, a), along) / dot(along, along);
+    (t, between(lerp(a, b, t.clamp(0.0, 1.0)), p))
 }
 
 /// Vertices in cells of equal size.

@@ -1,6 +1,6 @@
 //! Vectors in space, sums and means of them: the arithmetic of measures. Decisions are made by `predicates.rs`, never here.
 
-pub(crate) use crate::geometry::space::{Vector, cross, dot, length, minus};
+pub(crate) use crate::geometry::space::{Vector, cross, dot, length, minus, normal};
 
 pub(crate) fn plus(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]

@@ -17,7 +17,7 @@ use super::boxes::Boxes;
 use super::layers::plan;
 use super::place::LEVEL;
 use super::{NONE, NavSurface, SideRecord, Space, cross, dot, minus, next, norm, prev};
-use crate::geometry::space::check_place;
+use crate::geometry::space::{check_place, normal};
 use crate::ids::FaceId;
 use crate::plane::predicates::orientation;
 use crate::plane::{CoordinateError, Point, Subdivision, TriangulationMethod};
@@ -313,11 +313,6 @@ impl NavSurface {
 pub(super) fn slope(t: [Space; 3]) -> f64 {
     let n = normal(t);
     n[0].hypot(n[1]).atan2(n[2]).to_degrees()
-}
-
-/// The normal of a triangle, twice as long as its area.
-pub(super) fn normal([a, b, c]: [Space; 3]) -> Space {
-    cross(minus(b, a), minus(c, a))
 }
 
 /// Cuts a polygon into triangles.

@@ -67,7 +67,7 @@ pub use search::SurfacePlanner;
 
 use super::marks::NONE;
 use crate::geometry::interval::range;
-use crate::geometry::space::{between, cross, dot, length as norm, minus};
+use crate::geometry::space::{between, cross, dot, length as norm, lerp, minus, normal};
 use crate::ids::{FaceId, VertexId};
 use boxes::Boxes;
 use std::ops::Range;
@@ -207,7 +207,7 @@ impl NavSurface {
     /// The area, along the surface.
     #[must_use]
     pub fn area(&self) -> f64 {
-        (0..self.triangle_count()).map(|t| norm(build::normal(self.corners(t))) / 2.0).sum()
+        (0..self.triangle_count()).map(|t| norm(normal(self.corners(t))) / 2.0).sum()
     }
 
     /// Where vertex `v` is; `None` if no face has it. O(n).
@@ -274,11 +274,4 @@ fn next(s: usize) -> usize {
 #[inline]
 fn prev(s: usize) -> usize {
     if s.is_multiple_of(3) { s + 2 } else { s - 1 }
-}
-
-/// The distance of two points in space.
-#[inline]
-/// The point at the fraction `t` of the path from `a` to `b`.
-fn lerp(a: Space, b: Space, t: f64) -> Space {
-    [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
 }

@@ -2,7 +2,7 @@
 
 use super::super::random::Numbers;
 use super::layers::plan;
-use super::{NavSurface, SurfacePoint, build, norm};
+use super::{NavSurface, SurfacePoint, norm, normal};
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 
@@ -41,7 +41,7 @@ impl NavSurface {
             orientation(a, b, c).is_gt()
         };
         let triangles = (0..self.triangle_count()).filter(stands).map(|t| {
-            area += norm(build::normal(self.corners(t)));
+            area += norm(normal(self.corners(t)));
             (t as u32, area)
         });
         RandomSurfacePlaces { surface: self, triangles: triangles.collect(), numbers: Numbers::new(seed) }

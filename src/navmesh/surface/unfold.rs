@@ -8,10 +8,10 @@
 
 use super::super::funnel::{Endpoint, Funnel};
 use super::super::steps::{End, Step, steps};
-use super::build::normal;
 use super::{
     NONE, NavSurface, SideRecord, Space, SurfacePoint, SurfaceRoute, between, cross, dot, lerp, minus, next, norm, prev,
 };
+use crate::geometry::space::normal;
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::Point;
 use crate::plane::predicates::orientation;

@@ -15,7 +15,7 @@
 use super::order;
 use super::triangles::Triangles;
 use crate::solid::predicates::orient3d;
-use crate::solid::vector::{cross, dot, minus};
+use crate::solid::vector::{dot, normal};
 use crate::topology::NoObserver;
 use std::cmp::Ordering;
 
@@ -139,7 +139,7 @@ impl Cells {
     fn planes(&self, sides: &[[[f64; 3]; 3]]) -> Option<Vec<[f64; 3]>> {
         let normal = |side: &[[f64; 3]; 3]| {
             let [a, b, c] = side.map(|p| self.seen(p));
-            let normal = cross(minus(b, a), minus(c, a));
+            let normal = normal([a, b, c]);
             (normal, dot(normal, a))
         };
         let normals: Vec<([f64; 3], f64)> = sides.iter().map(normal).collect();
@@ -180,7 +180,7 @@ impl Cells {
 
 /// The vector whose product with three places is 1.
 fn plane([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let normal = cross(minus(b, a), minus(c, a));
+    let normal = normal([a, b, c]);
     let distance = dot(normal, a);
     normal.map(|x| x / distance)
 }
