@@ -436,7 +436,7 @@ impl MapArgs {
         let frame = self.frame(format);
         cut_along(areas, &source, &mut subdivision, |p| frame.point(p))?;
         let mesh = NavMesh::new(&subdivision).map_err(|error| {
-            let failure = Failure::refused(&source, &error);
+            let failure = Failure::refused(&source, error);
             match error {
                 NavMeshError::Concave { .. } | NavMeshError::Rings { .. } => {
                     failure.helped_by("cut the faces up with --triangles")
