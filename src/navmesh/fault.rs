@@ -1,11 +1,9 @@
 //! The faults that faces may have that should be a navmesh.
 
-use super::fault_sentence::NUMBERS;
 use crate::plane::{ConvertError, CoordinateError, Point};
 
 /// A fault of faces that should be a navmesh.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}", self.sentence(&NUMBERS))]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum MeshFault {
     /// A vertex with coordinates that cannot be computed with.
@@ -137,7 +135,6 @@ pub enum MeshFault {
         distance: f64,
     },
     /// What the converter refuses beyond that.
-    #[error(transparent)]
     Convert(ConvertError),
     /// There are more than can be named.
     More {

@@ -6,6 +6,8 @@
 //! ```
 
 use super::fault::MeshFault;
+use std::error::Error;
+use std::fmt;
 
 /// How a sentence calls faces and vertices. What has no name is called by its number.
 pub struct FaultNames<'a> {
@@ -15,7 +17,7 @@ pub struct FaultNames<'a> {
     pub vertex: &'a dyn Fn(u32) -> Option<String>,
 }
 
-pub(super) const NUMBERS: FaultNames<'static> = FaultNames { face: &|_| None, vertex: &|_| None };
+const NUMBERS: FaultNames<'static> = FaultNames { face: &|_| None, vertex: &|_| None };
 
 impl FaultNames<'_> {
     fn face(&self, f: u32) -> String {
@@ -125,6 +127,18 @@ impl MeshFault {
                 format!("there are more faults along sides than the {named} named here: correct these first")
             }
         }
+    }
+}
+
+impl fmt::Display for MeshFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.sentence(&NUMBERS))
+    }
+}
+
+impl Error for MeshFault {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        if let Self::Convert(error) = self { error.source() } else { None }
     }
 }
 
