@@ -129,8 +129,11 @@ fn find_cuts(graph: &Graph, most: usize) -> Option<Cuts> {
     flow.is_continue().then_some(found)
 }
 
-/// Cuts the edges at points that are all new vertices: so it is where all is farther apart than the gap. Returns the pieces as
-/// [`cut`] does, by half-edge, and a look at them; nothing has happened if they do not show that.
+/// Where the pieces of each edge start, the pieces by half-edge, and a look at them.
+type CutWithin = (Vec<u32>, Vec<u32>, Seen);
+
+/// Cuts the edges at points that are all new vertices: so it is where all is farther apart than the gap. Nothing has happened if
+/// a look at the pieces does not show that.
 ///
 /// Two vertices at one place would show: what has no vertex in common is farther apart than the gap before it is rounded, and
 /// neighbours have an edge without length between them.
@@ -139,7 +142,7 @@ fn cut_within(
     cuts: &[(u32, u32)],
     new: &[(Point, f64)],
     gap: Gap,
-) -> Result<Option<(Vec<u32>, Vec<u32>, Seen)>, TooMany> {
+) -> Result<Option<CutWithin>, TooMany> {
     let old = graph.points.len();
     graph.points.extend(new.iter().map(|&(p, _)| Point::new(p.x + 0.0, p.y + 0.0)));
     let (starts, pieces) = cut(graph, cuts, |p| p);
