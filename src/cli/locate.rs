@@ -2,6 +2,7 @@
 
 use super::choice::coordinate;
 use super::output::point;
+use super::picture::title;
 use super::subject::Subject;
 use super::{Answer, Crop, Failure, Files, InputOptions, Output, Page, Target, fields, say, tell};
 use dcel_kit::figure::{self, Figure, FigureOptions};
@@ -206,7 +207,7 @@ fn draw(
     };
     let all = given.iter().zip(asked).zip(found);
     let found: Vec<_> = all.map(|((&p, &q), &at)| (q, at, words(p, at))).collect();
-    let title = args.file.file_stem().map_or_else(|| "Points".into(), |stem| stem.to_string_lossy());
+    let title = title(&args.file, "standard input");
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = FigureOptions::new(format!("Points in {title}")).face_names(names);
     let options = args.crop.apply_here(target.options(options));

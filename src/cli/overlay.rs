@@ -1,16 +1,17 @@
 //! `dcel overlay`: two subdivisions on each other.
 
 use super::choice::number;
+use super::picture::title;
 use super::results::Moved;
-use super::save::{Files, InPlace};
+use super::save::{Files, InPlace, save};
 use super::subject::Subject;
 use super::{Answer, Crop, Failure, InputOptions, Output, Page, Target, fields, say, tell};
 use dcel_kit::figure::{self, FigureOptions};
-use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
+use dcel_kit::io::{Format, Model, Number, counted, on_grid};
 use dcel_kit::plane::{Operation, Overlay, Parts};
 use dcel_kit::{FaceId, FaceMap};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Lay two subdivisions of the plane over each other
 ///
@@ -65,8 +66,7 @@ pub(crate) struct Args {
 enum Goal {
     Report,
     Picture(Box<Target>),
-    Text,
-    File(PathBuf, Format),
+    Structure(PathBuf),
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
@@ -104,15 +104,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             };
             target.write(&figure.map_err(|error| Failure::input(error, ""))?, out)?;
         }
-        Goal::Text => {
-            write(out, &model(), Format::Dcel).map_err(|error| Failure::of_writing(Path::new("-"), error))?;
-        }
-        Goal::File(path, format) => {
-            write_path(path, &model(), *format).map_err(|error| Failure::of_writing(path, error))?;
-        }
+        Goal::Structure(path) => save(path, &model(), out)?,
     }
     tell_rounding(&both);
-    if matches!(goal, Goal::Text) {
+    if matches!(&goal, Goal::Structure(path) if path.as_os_str() == "-") {
         return Ok(Answer::Yes);
     }
     let s = &both.subdivision;
@@ -178,17 +173,14 @@ impl Args {
         // What is said of a figure is refused where there is none.
         let target = Target::optional(path.filter(is_picture).map(PathBuf::as_path), &self.page, self.crop, "-o");
         let Some(path) = path else { return target.map(|_| Goal::Report) };
-        if path.as_os_str() == "-" {
-            return target.map(|_| Goal::Text);
+        if !is_picture(&path) {
+            return target.map(|_| Goal::Structure(path.clone()));
         }
-        match Format::from_path(path) {
-            Some(format) => target.map(|_| Goal::File(path.clone(), format)),
-            None if !Target::is_named(path) => {
-                let what = format!("{}: the file name does not say what to write", path.display());
-                Err(Failure::input(what, "end it in .svg for a picture, in .dcel for the structure"))
-            }
-            None => Ok(target?.map_or(Goal::Report, |target| Goal::Picture(Box::new(target)))),
+        if !Target::is_named(path) {
+            let what = format!("{}: the file name does not say what to write", path.display());
+            return Err(Failure::input(what, "end it in .svg for a picture, in .dcel for the structure"));
         }
+        Ok(target?.map_or(Goal::Report, |target| Goal::Picture(Box::new(target))))
     }
 }
 
@@ -216,6 +208,6 @@ fn tell_rounding(both: &Overlay) {
 }
 
 fn options(args: &Args, target: &Target, what: &str) -> FigureOptions {
-    let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
+    let [a, b] = [&args.a, &args.b].map(|path| title(path, "standard input"));
     args.crop.apply_here(target.options(FigureOptions::new(format!("{what} {a} and {b}"))))
 }

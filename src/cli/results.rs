@@ -1,5 +1,6 @@
 //! What a command that makes a structure of the plane does with it: writes it, draws it, tells of it.
 
+use super::picture::title;
 use super::save::{Files, InPlace, save};
 use super::{Answer, Crop, Failure, Output, Page, Target, say, tell};
 use dcel_kit::figure::{Figure, FigureOptions};
@@ -66,8 +67,7 @@ impl Results {
         let Some(target) = Target::optional(self.figure.as_deref(), &self.page, self.crop, "--figure")? else {
             return Ok(());
         };
-        let title = input.file_stem().map_or_else(|| unnamed.into(), |stem| stem.to_string_lossy());
-        let drawn = draw(self.crop.apply_here(target.options(FigureOptions::new(title))))?;
+        let drawn = draw(self.crop.apply_here(target.options(FigureOptions::new(title(input, unnamed)))))?;
         drawn.notes().iter().for_each(|note| say("note", note));
         target.write(&drawn, out)
     }

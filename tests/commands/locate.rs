@@ -151,6 +151,10 @@ fn overlays_are_drawn_and_named() {
     assert!(svg.contains("in a alone") && svg.contains("in both") && svg.contains("in b alone"));
     folder.dcel("overlay garden.json tiles.obj -o both.dcel").fine();
     assert!(folder.read("both.dcel").contains("Garden & f1"));
+    // A format without names says so.
+    folder.write("two.wkt", "POLYGON ((1 1, 2 1, 2 2, 1 1))");
+    let told = folder.dcel("overlay square.obj two.wkt -o both.off");
+    assert!(told.code == Some(0) && told.err.contains("names of faces are lost: off has none"), "{told:?}");
     folder.dcel("overlay garden.json tiles.obj --operation xor -o xor.svg").fine();
     assert!(folder.read("xor.svg").contains("edges of b"));
     let told = folder.dcel("overlay garden.json tiles.obj --operation and");

@@ -1,7 +1,7 @@
 //! The manners of the command: exit codes, help, pipes, bad files, standard input.
 
 use crate::samples::commands;
-use crate::shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
+use crate::shell::{CUBE, Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
 const COMMANDS: [&str; 16] = [
@@ -149,6 +149,28 @@ fn standard_input_and_line_ends() {
     folder.dcel_with("", "info -").fails(2, "<stdin>: the file is empty", "");
     folder.dcel_with("hello\n", "info -").fails(2, "<stdin>: the format is not known", "say it");
     assert_eq!(folder.dcel_with(SQUARE, "info - --format obj").code, Some(0));
+}
+
+/// Not `-`: the title is what a reader of the page sees and hears.
+#[test]
+fn figures_of_standard_input_have_a_title() {
+    let folder = Folder::new();
+    folder.write("tiles.obj", "v 3 1\nv 8 1\nv 12.5 8\nv 3 6\nf 1 2 3 4\n");
+    for (input, call, title) in [
+        (SQUARE, "figure -", "Half-edge structure"),
+        (SQUARE, "triangulate - --figure", "Triangles"),
+        (SQUARE, "delaunay - --figure", "Delaunay"),
+        (SQUARE, "locate - 1 1 -o", "Points in standard input"),
+        (SQUARE, "overlay - tiles.obj -o", "Overlay of standard input and tiles"),
+        (SQUARE, "overlay tiles.obj - --operation xor -o", "xor of tiles and standard input"),
+        (SQUARE, "navmesh path - 1 1 1 1 -o", "A way through the map"),
+        (CUBE, "solid figure -", "Solid"),
+    ] {
+        let call = if call.ends_with('-') { call.to_owned() } else { format!("{call} drawn.svg") };
+        let out = folder.dcel_with(input, &call).fine();
+        let svg = if out.contains("<svg") { out } else { folder.read("drawn.svg") };
+        assert!(svg.contains(&format!(">{title}</title>")), "{call}: {}", &svg[..svg.len().min(400)]);
+    }
 }
 
 #[test]

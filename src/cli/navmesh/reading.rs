@@ -1,6 +1,7 @@
 //! From a file to a map with its navmesh.
 
 use super::super::failure::{Failure, say};
+use super::super::picture::title;
 use super::areas::{Area, Names, cut_along};
 use super::map::{Frame, Level, Map};
 use super::numbers::above;
@@ -146,7 +147,7 @@ impl MapArgs {
 
     /// What figures and messages call the map.
     pub(super) fn title(&self) -> String {
-        self.file.file_stem().map_or_else(|| "Map".to_owned(), |stem| stem.to_string_lossy().into_owned())
+        title(&self.file, "the map")
     }
 
     pub(super) fn source(&self) -> String {

@@ -2,6 +2,7 @@
 
 use super::common::{open, vector};
 use crate::choice::number;
+use crate::picture::title;
 use crate::{Answer, Failure, Files, InputOptions, Output, Page, Target};
 use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
 use std::path::PathBuf;
@@ -55,9 +56,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("--towards 0,0,0 is no direction", "for example: --towards 1,-2,1"));
     }
     let solid = open(&args.file, &args.input)?;
-    let title = args.title.clone().unwrap_or_else(|| {
-        args.file.file_stem().map_or_else(|| "Solid".to_owned(), |stem| stem.to_string_lossy().into_owned())
-    });
+    let title = args.title.clone().unwrap_or_else(|| title(&args.file, "Solid"));
     let options = target.options(FigureOptions::new(title));
     let lines = if args.no_hidden { HiddenLines::LeftOut } else { HiddenLines::Dashed };
     let camera = Camera { towards, distance: args.distance };
