@@ -8,6 +8,9 @@
 //!   └───┴───┴───┘
 //! ```
 //!
+//! Edges of one set are known not to cross each other. Their pairs are looked at only to see whether all that crosses is
+//! farther than the gap (`gap.rs`) from what it does not meet.
+//!
 //! Cost: expected O(n + k) for n edges with k meeting pairs, if edges are about as long as they are apart. Where that is
 //! not so, the work breaks off after O(n + k) steps, and the sweep has to do it.
 //!
@@ -197,7 +200,8 @@ impl Search<'_> {
         let is_whole = self.alone.is_empty();
         let number = |column: usize, row: usize| row * cells.count[0] + column;
         let mut starts = vec![0_u32; cells.count[0] * cells.count[1] + 1];
-        // Where all items of a cell are of one set, nothing meets. If others were near, they may be too near each other.
+        // Where all items of a cell are of one set, nothing meets: such cells of the whole grid are skipped. In a cell that has
+        // both sets smaller ones are still asked whether all is farther apart than the gap.
         let mut sets = vec![u8::MAX; starts.len()];
         // The cells of each item, row by row: from one to another.
         let mut runs: Vec<[u32; 3]> = Vec::with_capacity(items.len());

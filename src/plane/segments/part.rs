@@ -33,11 +33,12 @@ impl Subdivision {
         let mut number = vec![GONE; self.dcel.vertex_bound()];
         edges.iter().flat_map(|&e| self.edge_ends(e)).for_each(|v| number[v.index()] = 0);
         let mut points: Vec<Point> = Vec::new();
-        let mut stored: Vec<Option<HalfEdgeId>> = Vec::new();
+        let mut stored: Vec<HalfEdgeId> = Vec::new();
         for (v, number) in (0..).map(VertexId::new).zip(&mut number).filter(|(_, number)| **number != GONE) {
             *number = points.len() as u32;
             points.push(self.points[v]);
-            stored.push(self.dcel.outgoing(v));
+            // There is one: an edge ends here.
+            stored.extend(self.dcel.outgoing(v));
         }
         let ends = edges.iter().map(|&e| of_both(self.edge_ends(e), |v| number[v.index()])).collect();
         let graph = Graph { points, edges: ends, order: Order::default() };
@@ -56,9 +57,7 @@ impl Subdivision {
             one_rings.meet(stays_from(clockwise(self, h), clockwise), new);
         }
         for (v, &stored) in (0..).zip(&stored) {
-            if let Some(stored) = stored {
-                one_rings.begin(v, stays_from(stored, counter_clockwise));
-            }
+            one_rings.begin(v, stays_from(stored, counter_clockwise));
         }
         one_rings.begin_straight_down(&graph);
 
