@@ -16,10 +16,15 @@ use crate::plane::rings::Loose;
 use crate::topology::{Columns, InnerComponent, TooMany};
 
 /// Gives every half-edge its face, inner components for the time being `f0`. Returns the inner components and the isolated vertices.
+/// Edges and points are those of the graph.
 ///
 /// Cost: O(n).
-pub(super) fn cycles(one_rings: OneRings, points: &[Point]) -> Result<(Columns, Vec<Loose>), TooMany> {
-    let mut columns = one_rings.into_columns();
+pub(super) fn cycles(
+    one_rings: OneRings,
+    edges: Vec<[u32; 2]>,
+    points: &[Point],
+) -> Result<(Columns, Vec<Loose>), TooMany> {
+    let mut columns = one_rings.into_columns(edges);
     let mut loose = Vec::new();
     for start in 0..columns.face.len() as u32 {
         if columns.face[start as usize] != Columns::NONE {

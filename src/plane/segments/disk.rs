@@ -21,10 +21,12 @@ impl Subdivision {
     /// [`from_graph`](Self::from_graph). O(n), and O(k log k) for a vertex with k edges.
     pub(in crate::plane) fn disk(points: Vec<Point>, edges: Vec<[u32; 2]>, outside: u32) -> Result<Self, TooMany> {
         let graph = Graph { points, edges, order: Order::default() };
-        let mut columns = one_rings_by_angle(&graph)?.into_columns();
+        let one_rings = one_rings_by_angle(&graph)?;
         let Graph { points, edges, .. } = graph;
         // Euler's formula: a connected graph has so many bounded faces.
-        columns.boundary.reserve(1 + edges.len() - edges.len().min(points.len()));
+        let bounded = 1 + edges.len() - edges.len().min(points.len());
+        let mut columns = one_rings.into_columns(edges);
+        columns.boundary.reserve(bounded);
         let first = give_face(&mut columns, outside, 0);
         for start in 0..columns.face.len() as u32 {
             if columns.face[start as usize] == NONE {

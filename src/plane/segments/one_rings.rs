@@ -12,9 +12,11 @@ use crate::ids::MAX_IDS;
 use crate::plane::sweep::OneRing;
 use crate::topology::{Columns, TooMany};
 
-/// The half-edges of a graph with their origins; the links come one-ring by one-ring.
+/// The half-edges of a graph; the links come one-ring by one-ring.
 pub(super) struct OneRings {
-    columns: Columns,
+    next: Vec<u32>,
+    prev: Vec<u32>,
+    outgoing: Vec<u32>,
 }
 
 impl OneRings {
@@ -27,17 +29,8 @@ impl OneRings {
         if points.len() > MAX_IDS || 2 * edges.len() > MAX_IDS {
             return Err(TooMany);
         }
-        const NONE: u32 = Columns::NONE;
-        let origin: Vec<u32> = edges.as_flattened().to_vec();
-        let columns = Columns {
-            next: vec![NONE; origin.len()],
-            prev: vec![NONE; origin.len()],
-            face: vec![NONE; origin.len()],
-            outgoing: vec![NONE; points.len()],
-            boundary: vec![NONE],
-            origin,
-        };
-        Ok(Self { columns })
+        let none = |count: usize| vec![Columns::NONE; count];
+        Ok(Self { next: none(2 * edges.len()), prev: none(2 * edges.len()), outgoing: none(points.len()) })
     }
 
     /// Links a one-ring. Counter-clockwise from straight down it begins with the half-edges to the right, upwards; then
@@ -53,24 +46,26 @@ impl OneRings {
         let mut last = None;
         for h in half_edges {
             match last.replace(h) {
-                None => self.columns.outgoing[point as usize] = h,
+                None => self.outgoing[point as usize] = h,
                 Some(before) => self.meet(before, h),
             }
         }
         if let Some(last) = last {
-            self.meet(last, self.columns.outgoing[point as usize]);
+            self.meet(last, self.outgoing[point as usize]);
         }
     }
 
-    /// The half-edges with their links, but for their faces.
-    pub(super) fn into_columns(self) -> Columns {
-        self.columns
+    /// The half-edges with their links, but for their faces. `edges` are those of the graph.
+    pub(super) fn into_columns(self, edges: Vec<[u32; 2]>) -> Columns {
+        let Self { next, prev, outgoing } = self;
+        let origin = edges.into_flattened();
+        Columns { face: vec![Columns::NONE; origin.len()], origin, next, prev, outgoing, boundary: vec![Columns::NONE] }
     }
 
     /// The half-edge with which a one-ring begins.
     #[inline]
     pub(super) fn begin(&mut self, point: u32, h: u32) {
-        self.columns.outgoing[point as usize] = h;
+        self.outgoing[point as usize] = h;
     }
 
     /// Turns one-rings, which are counter-clockwise, so that they begin with the first half-edge counter-clockwise from
@@ -78,7 +73,7 @@ impl OneRings {
     pub(super) fn begin_straight_down(&mut self, graph: &Graph) {
         let Graph { points, edges, .. } = graph;
         let to = |h: u32| points[edges.as_flattened()[(h ^ 1) as usize] as usize];
-        let Columns { next, prev, outgoing, .. } = &mut self.columns;
+        let Self { next, prev, outgoing } = self;
         for (&at, first) in points.iter().zip(outgoing).filter(|(_, first)| **first != Columns::NONE) {
             let given = *first;
             let last = next[(given ^ 1) as usize];
@@ -96,7 +91,7 @@ impl OneRings {
     /// Of two half-edges of a one-ring the second follows the first, counter-clockwise.
     #[inline]
     pub(super) fn meet(&mut self, g: u32, h: u32) {
-        self.columns.next[(h ^ 1) as usize] = g;
-        self.columns.prev[g as usize] = h ^ 1;
+        self.next[(h ^ 1) as usize] = g;
+        self.prev[g as usize] = h ^ 1;
     }
 }

@@ -85,7 +85,9 @@ pub(super) fn proved_by_faces(graph: &mut Graph) -> Result<Option<Subdivision>, 
     if subdivision.is_proved_by_faces() {
         return Ok(Some(subdivision));
     }
-    graph.points = subdivision.points.into_vec();
+    let Subdivision { dcel, points, .. } = subdivision;
+    graph.points = points.into_vec();
+    graph.edges = dcel.into_columns().origin.as_chunks().0.to_vec();
     Ok(None)
 }
 

@@ -64,7 +64,7 @@ impl Seen {
 /// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
 /// half-edge, which is their `half_edge`.
 ///
-/// The points are taken out of the graph.
+/// Points and edges are taken out of the graph.
 ///
 /// Cost: O(n log n).
 pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMany> {
@@ -74,8 +74,8 @@ pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMan
         Seen::Made(subdivision) => return Ok(*subdivision),
     };
     let Graph { points, edges, order } = graph;
-    let (columns, loose) = cycles(one_rings, points)?;
-    let below = below.unwrap_or_else(|| below_of(&loose, &columns, points, edges, order.if_known()));
+    let (columns, loose) = cycles(one_rings, std::mem::take(edges), points)?;
+    let below = below.unwrap_or_else(|| below_of(&loose, &columns, points, order.if_known()));
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), std::mem::take(points).into());
     let edge_below = |v: VertexId| (below[v.index()] != NOTHING).then(|| EdgeId::new(below[v.index()]));
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
@@ -85,13 +85,8 @@ pub(super) fn trace(graph: &mut Graph, seen: Seen) -> Result<Subdivision, TooMan
 
 /// The edges below inner components as far as they tell in which face these lie: for what is in no bounded face there may be
 /// none, and of the others those that no bounded face has beside it are left out.
-fn below_of(
-    loose: &[Loose],
-    columns: &Columns,
-    points: &[Point],
-    edges: &[[u32; 2]],
-    by_place: Option<&[u32]>,
-) -> Vec<u32> {
+fn below_of(loose: &[Loose], columns: &Columns, points: &[Point], by_place: Option<&[u32]>) -> Vec<u32> {
+    let (edges, _) = columns.origin.as_chunks::<2>();
     let leftmost = loose.iter().map(|loose| loose.leftmost.number());
     if loose.len() <= FEW {
         return edges_below(points, edges, by_place, leftmost);
@@ -124,8 +119,8 @@ pub(super) fn trace_known(
     one_rings: OneRings,
     mut face_of: impl FnMut(&[u32], u32) -> FaceId,
 ) -> Result<Subdivision, TooMany> {
-    let points = graph.points;
-    let (columns, loose) = cycles(one_rings, &points)?;
+    let Graph { points, edges, .. } = graph;
+    let (columns, loose) = cycles(one_rings, edges, &points)?;
     let known = |Loose { ring, .. }: Loose| match ring {
         InnerComponent::Cycle(h) => (ring, face_of(&columns.boundary, h.number())),
         InnerComponent::Isolated(_) => (ring, FaceId::new(0)),
