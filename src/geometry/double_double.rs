@@ -12,6 +12,8 @@
 //! Source: Dekker, *A floating-point technique for extending the available precision*, 1971.
 
 use super::expansion::{two_product, two_sum};
+use super::two::{Doubles, Two};
+use std::array::from_fn;
 use std::cmp::Ordering;
 
 /// How far one rounding can be off, relatively.
@@ -23,77 +25,112 @@ const TINY: f64 = f64::from_bits((1023 - 400) << 52);
 /// Bounds are sums of a few products, all positive: this covers their own roundings.
 const SPARE: f64 = 1.0 + 16.0 * f64::EPSILON;
 
-/// A number known up to `error`.
+/// A number known up to `error`; or two of them, computed with at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DoubleDouble {
-    high: f64,
-    low: f64,
-    error: f64,
+pub(crate) struct DoubleDouble<F = f64> {
+    high: F,
+    low: F,
+    error: F,
 }
 
-impl DoubleDouble {
+impl<F: Doubles> DoubleDouble<F> {
     /// A double as it is.
-    pub(crate) const fn of(a: f64) -> Self {
-        Self { high: a, low: 0.0, error: 0.0 }
+    #[inline(always)]
+    pub(crate) fn of(a: F) -> Self {
+        Self { high: a, low: F::all(0.0), error: F::all(0.0) }
     }
 
     /// a - b, exactly.
-    pub(crate) fn difference(a: f64, b: f64) -> Self {
+    #[inline(always)]
+    pub(crate) fn difference(a: F, b: F) -> Self {
         let (high, low) = two_sum(a, -b);
-        Self { high, low, error: 0.0 }
+        Self { high, low, error: F::all(0.0) }
     }
 
+    #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let (sum, rest) = two_sum(self.high, other.high);
         let (low, lost) = two_sum(self.low, other.low);
         let (low, more) = two_sum(rest, low);
         let (high, low) = two_sum(sum, low);
-        Self { high, low, error: (self.error + other.error + lost.abs() + more.abs()) * SPARE }
+        Self { high, low, error: (self.error + other.error + lost.abs() + more.abs()) * F::all(SPARE) }
     }
 
+    #[inline(always)]
     pub(crate) fn minus(self, other: Self) -> Self {
         self.plus(Self { high: -other.high, low: -other.low, error: other.error })
     }
 
+    #[inline(always)]
     pub(crate) fn times(self, other: Self) -> Self {
         let (a, b) = (self, other);
         let (product, rest) = two_product(a.high, b.high);
         let inherited = a.high.abs() * b.error + (b.high.abs() + b.error) * a.error;
         // A bound must not become 0 by rounding.
-        let inherited = if a.error + b.error > 0.0 { inherited + f64::MIN_POSITIVE } else { inherited };
-        if a.low == 0.0 && b.low == 0.0 {
-            return Self { high: product, low: rest, error: inherited * SPARE };
-        }
+        let least = F::choose((a.error + b.error).are_zero(), F::all(0.0), F::all(f64::MIN_POSITIVE));
+        let inherited = inherited + least;
         // Left out: low times low, and five roundings of numbers that are small beside the product already.
         let (across, along) = (a.high * b.low, a.low * b.high);
         let (high, low) = two_sum(product, rest + (across + along));
-        let left_out = (a.low * b.low).abs() + 3.0 * ROUNDING * (rest.abs() + across.abs() + along.abs());
-        Self { high, low, error: (inherited + (a.low.abs() * b.error + b.low.abs() * a.error) + left_out) * SPARE }
+        let left_out = (a.low * b.low).abs() + F::all(3.0 * ROUNDING) * (rest.abs() + across.abs() + along.abs());
+        let all = inherited + (a.low.abs() * b.error + b.low.abs() * a.error) + left_out;
+        // The product of two doubles has no part that is left out.
+        let are_doubles = F::both(a.low.are_zero(), b.low.are_zero());
+        Self { high, low, error: F::choose(are_doubles, inherited, all) * F::all(SPARE) }
     }
 
-    /// The quotient; `None` if the divisor is not known well.
-    pub(crate) fn over(self, by: Self) -> Option<Self> {
+    /// The quotient, how far the divisor is from its high part, relatively, and the quotient of the high parts: whether it
+    /// is known, [`known`] tells of these.
+    #[inline(always)]
+    fn divided(self, by: Self) -> (Self, [F; 2]) {
         let divisor = by.high.abs();
-        // How far the divisor is from its high part, relatively.
-        let blurred = (by.low.abs() + by.error) / divisor * SPARE;
-        if blurred.is_nan() || blurred > 1e-12 {
-            return None;
-        }
+        let blurred = (by.low.abs() + by.error) / divisor * F::all(SPARE);
         let first = self.high / by.high;
-        if first != 0.0 && first.abs() < TINY {
-            return None;
-        }
         let left = self.minus(Self::of(first).times(by));
-        if left == Self::of(0.0) {
-            return Some(Self::of(first));
-        }
+        let is_exact = F::both(F::both(left.high.are_zero(), left.low.are_zero()), left.error.are_zero());
         let second = left.high / by.high;
-        let rest = (left.low.abs() + left.error) / divisor * (1.0 + 1e-11);
-        let error = (rest + second.abs() * (2.0 * blurred + ROUNDING) + f64::MIN_POSITIVE) * SPARE;
+        let rest = (left.low.abs() + left.error) / divisor * F::all(1.0 + 1e-11);
+        let error = rest + second.abs() * (F::all(2.0) * blurred + F::all(ROUNDING)) + F::all(f64::MIN_POSITIVE);
         let (high, low) = two_sum(first, second);
-        Some(Self { high, low, error })
+        (Self { high, low, error: F::choose(is_exact, F::all(0.0), error * F::all(SPARE)) }, [blurred, first])
+    }
+}
+
+/// Whether a quotient is known: the divisor is known well, and the quotient is not too near to 0.
+fn is_known(blurred: f64, first: f64) -> bool {
+    blurred <= 1e-12 && (first == 0.0 || first.abs() >= TINY)
+}
+
+impl DoubleDouble<Two> {
+    /// The one in each place.
+    #[inline(always)]
+    pub(crate) fn each(self) -> [DoubleDouble; 2] {
+        from_fn(|i| DoubleDouble { high: self.high.0[i], low: self.low.0[i], error: self.error.0[i] })
     }
 
+    /// One of each, in the same place.
+    #[inline(always)]
+    pub(crate) fn of_places(self, other: Self, i: usize) -> Self {
+        let pair = |a: Two, b: Two| Two([a.0[i], b.0[i]]);
+        Self { high: pair(self.high, other.high), low: pair(self.low, other.low), error: pair(self.error, other.error) }
+    }
+
+    /// That in one place, in both.
+    #[inline(always)]
+    pub(crate) fn only(self, i: usize) -> Self {
+        self.of_places(self, i)
+    }
+
+    /// The quotients; `None` where the divisor is not known well.
+    #[inline(always)]
+    pub(crate) fn over(self, by: Self) -> [Option<DoubleDouble>; 2] {
+        let (quotients, [blurred, first]) = self.divided(by);
+        let each = quotients.each();
+        from_fn(|i| is_known(blurred.0[i], first.0[i]).then_some(each[i]))
+    }
+}
+
+impl DoubleDouble {
     /// The number as one double.
     pub(crate) const fn estimate(self) -> f64 {
         self.high
@@ -136,6 +173,14 @@ impl DoubleDouble {
 mod tests {
     use super::*;
     use crate::geometry::expansion::Expansion;
+
+    impl DoubleDouble {
+        /// The quotient; `None` if the divisor is not known well.
+        fn over(self, by: Self) -> Option<Self> {
+            let (quotient, [blurred, first]) = self.divided(by);
+            is_known(blurred, first).then_some(quotient)
+        }
+    }
 
     /// Whether an exact number is within the bound.
     fn holds(exact: &Expansion, found: DoubleDouble) -> bool {

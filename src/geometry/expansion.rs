@@ -10,25 +10,29 @@
 //!
 //! Source: Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, 1997.
 
+use super::two::Doubles;
 use std::cmp::Ordering;
 
 /// An exact number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Expansion(Vec<f64>);
 
-pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+#[inline(always)]
+pub(super) fn two_sum<F: Doubles>(a: F, b: F) -> (F, F) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
-fn halves(a: f64) -> (f64, f64) {
-    let c = 134_217_729.0 * a;
+#[inline(always)]
+fn halves<F: Doubles>(a: F) -> (F, F) {
+    let c = F::all(134_217_729.0) * a;
     let high = c - (c - a);
     (high, a - high)
 }
 
-pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
+#[inline(always)]
+pub(super) fn two_product<F: Doubles>(a: F, b: F) -> (F, F) {
     let product = a * b;
     let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
     (product, a0 * b0 - (((product - a1 * b1) - a0 * b1) - a1 * b0))

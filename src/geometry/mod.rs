@@ -4,6 +4,7 @@
 //!   point.rs  predicates.rs         points, the range in which signs are exact, the signs
 //!   expansion.rs                    exact sums and products
 //!   interval.rs  double_double.rs   bounds that decide without them most of the time
+//!   two.rs                          two doubles at once
 //!   number.rs                       numbers as they are written
 //!   grouping.rs  both.rs            things by groups: a counting sort; both things of a pair
 //!   equal.rs  places.rs             equal points; and all from left to right
@@ -29,3 +30,4 @@ pub(crate) mod random;
 #[cfg(any(feature = "navmesh", feature = "solid"))]
 pub(crate) mod space;
 pub(crate) mod threads;
+pub(crate) mod two;

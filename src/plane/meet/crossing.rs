@@ -13,6 +13,7 @@ use crate::geometry::double_double::DoubleDouble;
 use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::interval::Interval;
 use crate::geometry::predicates::left_to_right;
+use crate::geometry::two::Two;
 use crate::plane::{Point, SMALLEST};
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -215,12 +216,12 @@ pub(in crate::plane) fn foot_from(p: Point, [a, b]: [Point; 2]) -> [f64; 2] {
 
 /// Both coordinates of a crossing as well as two doubles for each number tell them.
 fn quotients(ends: [[Point; 2]; 2]) -> [Option<DoubleDouble>; 2] {
-    let a = ends[0][0];
     let [along, across, between] = vectors(ends);
-    let times = |p: [DoubleDouble; 2], q: [DoubleDouble; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
-    let (w, t) = (times(along, across), times(between, across));
-    let part = |start: f64, along| DoubleDouble::of(start).times(w).plus(t.times(along));
-    [part(a.x, along[0]).over(w), part(a.y, along[1]).over(w)]
+    // W and T at once, then both coordinates.
+    let of_both = |i: usize| along.of_places(between, i);
+    let products = of_both(0).times(across.only(1)).minus(of_both(1).times(across.only(0)));
+    let (w, t) = (products.only(0), products.only(1));
+    DoubleDouble::of(coordinates(ends[0][0])).times(w).plus(t.times(along)).over(w)
 }
 
 /// Whether one pair of segments is the other one, moved. Then their crossings lie from each other as their first ends do.
@@ -230,9 +231,15 @@ pub(in crate::plane) fn is_moved(one: [[Point; 2]; 2], other: [[Point; 2]; 2]) -
 }
 
 /// Along both segments, and from the first to the second, exactly.
-fn vectors([[a, b], [c, d]]: [[Point; 2]; 2]) -> [[DoubleDouble; 2]; 3] {
-    let vector = |p: Point, q: Point| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)];
+#[inline]
+fn vectors([[a, b], [c, d]]: [[Point; 2]; 2]) -> [DoubleDouble<Two>; 3] {
+    let vector = |p: Point, q: Point| DoubleDouble::difference(coordinates(q), coordinates(p));
     [vector(a, b), vector(c, d), vector(a, c)]
+}
+
+#[inline(always)]
+fn coordinates(p: Point) -> Two {
+    Two([p.x, p.y])
 }
 
 /// Of the doubles round `q` the one with the smallest rest; of two the lower one.
