@@ -20,7 +20,7 @@ use super::sweep::{NOTHING, is_above, rightwards, sweep, sweep_in_order};
 use crate::geometry::both::of_both;
 use crate::geometry::grouping::Groups;
 use crate::geometry::point::corners;
-use crate::geometry::predicates::{left_to_right, orientation};
+use crate::geometry::predicates::{is_left_of, left_to_right, orientation};
 
 /// So many edges above and below points are looked at for each edge; a sweep is quicker than more of them.
 const MOST: usize = 4;
@@ -42,11 +42,13 @@ pub(super) fn edges_below(
     by_place: Option<&[u32]>,
     asked: impl Iterator<Item = u32>,
 ) -> Vec<u32> {
-    let compare = |&p: &u32, &q: &u32| left_to_right(points[p as usize], points[q as usize]);
     let mut asked: Vec<u32> = asked.collect();
-    // Nothing lies below the first point of all.
-    let first = (0..points.len() as u32).min_by(compare);
-    asked.retain(|&p| Some(p) != first);
+    // Nothing lies below the first point of all. It is asked for by who has one component only.
+    if let &[p] = &asked[..]
+        && points.iter().all(|&q| !is_left_of(q, points[p as usize]))
+    {
+        asked.clear();
+    }
     if asked.is_empty() {
         return vec![NOTHING; points.len()];
     }

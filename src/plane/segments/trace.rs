@@ -98,7 +98,7 @@ fn below_of(loose: &[Loose], columns: &Columns, points: &[Point], by_place: Opti
         let bounds = &mut boxes[face as usize];
         *bounds = around(*bounds, points[v as usize]);
     }
-    let mut bounded = Marks::new(corners(points.iter().copied()), side);
+    let mut bounded = Marks::new(corners(boxes[1..].as_flattened().iter().copied()), side);
     boxes[1..].iter().for_each(|&bounds| bounded.mark(bounds));
     let asked = leftmost.filter(|&v| bounded.may_meet([points[v as usize]; 2]));
     // Where no face is bounded on either side, the edge below lies in the same face as the point.
