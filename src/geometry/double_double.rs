@@ -274,6 +274,32 @@ mod tests {
         assert_eq!(tie.nearest(), None);
     }
 
+    fn formula<F: Doubles>([a, b, c, d]: [F; 4]) -> [DoubleDouble<F>; 3] {
+        let product = DoubleDouble::difference(a, b).times(DoubleDouble::difference(c, d));
+        let sum = product.plus(DoubleDouble::of(a).times(DoubleDouble::of(c)));
+        let by = DoubleDouble::difference(d, b).times(DoubleDouble::of(c));
+        [product, sum, sum.minus(product).divided(by).0]
+    }
+
+    #[test]
+    fn two_at_once_are_each_what_they_are_by_themselves() {
+        let mut unlike = 0;
+        for numbers in doubles(8 * 20_000).chunks_exact(8) {
+            let (one, other) = numbers.split_at(4);
+            let both = formula(from_fn(|i| Two([one[i], other[i]])));
+            let by_themselves = [one, other].map(|numbers| formula(from_fn(|i| numbers[i])));
+            for (i, both) in both.into_iter().enumerate() {
+                // As texts, which tell 0 and -0 apart, and where something was divided by 0 are equal, too.
+                let expected = by_themselves.map(|formula| formula[i]);
+                assert_eq!(format!("{:?}", both.each()), format!("{expected:?}"), "{numbers:?}");
+            }
+            // One is exact, the other is not.
+            let [[product, ..], [other, ..]] = by_themselves;
+            unlike += usize::from((product.error == 0.0) != (other.error == 0.0));
+        }
+        assert!(unlike > 1000, "{unlike}");
+    }
+
     #[test]
     fn signs_are_right_or_not_told() {
         let mut told = [0; 2];

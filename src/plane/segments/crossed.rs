@@ -43,12 +43,15 @@ impl Cuts {
         edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
         let loose: Vec<u32> = (0..points.len() as u32).filter(|&p| is_loose[p as usize]).collect();
         let Meetings { mut crossings, touches, gap } = meetings(points, &edges, &loose, sets)?;
-        let touched = Groups::new(edges.len(), touches.iter().map(|&[edge, point]| (edge as usize, point)));
+        let touched = || Groups::new(edges.len(), touches.iter().map(|&[edge, point]| (edge as usize, point)));
+        let touched = (!touches.is_empty()).then(touched);
         // Edges that cross at a point that both of them pass are cut there already.
-        crossings.retain(|&[e, g]| {
-            let [one, other] = of_both([e, g], |edge| touched.of(edge as usize));
-            one.is_empty() || other.is_empty() || one.iter().all(|point| !other.contains(point))
-        });
+        if let Some(touched) = &touched {
+            crossings.retain(|&[e, g]| {
+                let [one, other] = of_both([e, g], |edge| touched.of(edge as usize));
+                one.is_empty() || other.is_empty() || one.iter().all(|point| !other.contains(point))
+            });
+        }
         let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
         let both = |[e, g]: [u32; 2]| [ends(e), ends(g)];
         let placed = placed_all(&crossings, both);
@@ -62,9 +65,7 @@ impl Cuts {
             cuts.push((one, number));
             cuts.push((other, number));
         }
-        if touches.is_empty() {
-            return Ok(Self { cuts, new, gap });
-        }
+        let Some(touched) = touched else { return Ok(Self { cuts, new, gap }) };
         cuts.extend(touches.iter().map(|&[edge, point]| (edge, point)));
         let compare = |one: u32, other: u32| {
             let known = |p: u32| points.get(p as usize).copied();

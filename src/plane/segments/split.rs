@@ -22,7 +22,7 @@ use super::settled::{look_at_bent, look_within, proved_by_faces};
 use super::snap::{Plain, snap};
 use super::trace::{Seen, look};
 use crate::geometry::grouping::Groups;
-use crate::geometry::predicates::left_to_right;
+use crate::geometry::predicates::is_left_of;
 use crate::plane::Point;
 use crate::plane::meet::{EventPlace, Gap, Grid, visit_intersections};
 use crate::topology::TooMany;
@@ -43,8 +43,9 @@ const FEW_CUTS: usize = 8;
 /// If there are more half-edges than ids.
 pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) -> Result<(Split, Seen), TooMany> {
     let given = graph.points.len();
-    let edges = graph.edges.clone();
-    let mut split = Split::none(edges.len());
+    // The edges before the first round, once there was one.
+    let mut uncut = None;
+    let mut split = Split::none(graph.edges.len());
     let mut known = first;
     while grid.is_none() && split.rounds < PLAIN_ROUNDS {
         // Bent edges that cross more often than there are edges do not settle: every round would find still more.
@@ -82,7 +83,8 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
         } else {
             Single::new(graph.points.len(), &pieces, |_, _| {})
         };
-        graph.edges = edges;
+        let before = std::mem::replace(&mut graph.edges, edges);
+        uncut.get_or_insert(before);
         let few_are_bent = all_is_known && cuts.len() < graph.edges.len() / FEW_CUTS;
         let mut is_straight = Vec::new();
         if few_are_bent {
@@ -107,6 +109,7 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
             return Ok((split, seen));
         }
     }
+    let edges = uncut.unwrap_or_else(|| graph.edges.clone());
     let split = snap(graph, &Plain { split, given, edges: &edges }, grid);
     Ok((split, look(graph)?))
 }
@@ -168,7 +171,7 @@ fn cut(graph: &Graph, cuts: &[(u32, u32)], place: impl Fn(u32) -> u32) -> (Vec<u
         starts.push(pieces.len() as u32);
         let cuts = by_edge.of_mut(e);
         let at = |v: u32| graph.points[v as usize];
-        if left_to_right(at(a), at(b)).is_gt() {
+        if cuts.len() > 1 && is_left_of(at(b), at(a)) {
             cuts.reverse();
         }
         let mut last = a;
