@@ -79,8 +79,8 @@ impl<F: Doubles> DoubleDouble<F> {
         Self { high, low, error: F::choose(are_doubles, inherited, all) * F::all(SPARE) }
     }
 
-    /// The quotient, how far the divisor is from its high part, relatively, and the quotient of the high parts: whether it
-    /// is known, [`known`] tells of these.
+    /// The quotient; besides, for [`is_known`], how far the divisor is from its high part, relatively, and the quotient of
+    /// the high parts.
     #[inline(always)]
     fn divided(self, by: Self) -> (Self, [F; 2]) {
         let divisor = by.high.abs();

@@ -43,7 +43,7 @@ pub(super) fn edges_below(
     asked: impl Iterator<Item = u32>,
 ) -> Vec<u32> {
     let mut asked: Vec<u32> = asked.collect();
-    // Nothing lies below the first point of all. It is asked for by who has one component only.
+    // Nothing lies below the first point of all. Whoever has one component asks for that point alone.
     if let &[p] = &asked[..]
         && points.iter().all(|&q| !is_left_of(q, points[p as usize]))
     {
