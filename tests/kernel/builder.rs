@@ -478,6 +478,38 @@ fn large_lists_in_any_order_agree_with_the_slow_builder() {
 }
 
 #[test]
+fn a_face_that_is_wrong_by_itself_is_told_before_faces_that_do_not_fit() {
+    // More than 65,536 corners: lists that jump about are matched in another way.
+    let side = 150;
+    let at = |x: u32, y: u32| x + (side + 1) * y;
+    let vertices = ((side + 1) * (side + 1)) as usize;
+    let ordered: Vec<[u32; 3]> = (0..side * side)
+        .map(|i| (i % side, i / side))
+        .flat_map(|(x, y)| [[at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]])
+        .collect();
+    let mut shuffled = ordered.clone();
+    let mut name: Vec<u32> = (0..vertices as u32).collect();
+    let mut random = Random(13);
+    random.shuffle(&mut name);
+    random.shuffle(&mut shuffled);
+    shuffled.as_flattened_mut().iter_mut().for_each(|v| *v = name[*v as usize]);
+    for faces in [ordered, shuffled] {
+        let built = Dcel::from_triangles(vertices, &faces).expect("a grid");
+        assert_eq!((built.dcel.face_count(), built.dcel.vertex_count()), (faces.len() + 1, vertices));
+        let [a, b, c] = faces[30_000];
+        for wrong in [[a, b, vertices as u32], [u32::MAX, b, c], [a, a, c], [a, b, a], [a, b, b]] {
+            let mut faces = faces.clone();
+            faces[20_000].swap(0, 1);
+            faces[30_000] = wrong;
+            faces[40_000] = [u32::MAX; 3];
+            let lists: Vec<Vec<u32>> = faces.iter().map(|face| face.to_vec()).collect();
+            let expected = slow_check_faces(vertices, &lists).unwrap_err();
+            assert_eq!(Dcel::from_triangles(vertices, &faces), Err(expected));
+        }
+    }
+}
+
+#[test]
 fn a_list_of_polygons_knows_how_many_corners_it_has() {
     let mut list = PolygonList::new();
     assert_eq!(list.corner_count(), 0);

@@ -13,6 +13,10 @@ use crate::topology::PolygonList;
 
 /// A list of faces, each one or more cycles of corners. Implementations are monomorphised into the loops.
 pub(crate) trait Faces {
+    /// Whether all that [`check_each`](Self::check_each) finds shows at some half-edge by itself: an end that is no vertex, or
+    /// both ends the same.
+    const SHOWN_BY_ENDS: bool;
+
     /// The number of faces.
     fn face_count(&self) -> usize;
 
@@ -53,6 +57,8 @@ pub(crate) struct Around {
 }
 
 impl Faces for [[u32; 3]] {
+    const SHOWN_BY_ENDS: bool = true;
+
     fn face_count(&self) -> usize {
         self.len()
     }
@@ -102,6 +108,8 @@ impl Faces for [[u32; 3]] {
 }
 
 impl Faces for PolygonList {
+    const SHOWN_BY_ENDS: bool = false;
+
     fn face_count(&self) -> usize {
         self.face_count()
     }

@@ -20,14 +20,13 @@ use crate::topology::links::{Columns, TAG};
 const NONE: u32 = Columns::NONE;
 
 impl Matched {
-    /// Fills the column of vertices, links the border where it is clear, and finds the pinched vertices.
-    pub(super) fn new(vertices: usize, mut columns: Columns, first_face: u32) -> Self {
-        let firsts = first_half_edges(&mut columns, vertices);
+    /// Links the border where it is clear, and finds the pinched vertices.
+    pub(super) fn new(columns: Columns, first_face: u32) -> Self {
         let border = border(&columns.face);
-        let isolated = vertices - firsts.len();
+        let isolated = columns.outgoing.iter().filter(|&&h| h == NONE).count();
         let mut this = Self { columns, border, pinched: Vec::new(), isolated, first_face };
         let one_gap_each = this.link_border();
-        if !one_gap_each || stars_length(&this.columns.prev, &firsts) != this.columns.prev.len() {
+        if !one_gap_each || stars_length(&this.columns.prev, &this.columns.outgoing) != this.columns.prev.len() {
             this.find_pinched();
         }
         this
@@ -158,23 +157,6 @@ impl Matched {
     }
 }
 
-/// Fills the column of vertices with the half-edge of each in the first face that uses it, and returns these in
-/// increasing order. That is the smallest even half-edge: when a vertex is new, so are its edges.
-fn first_half_edges(columns: &mut Columns, vertices: usize) -> Vec<u32> {
-    columns.outgoing = vec![NONE; vertices];
-    let mut firsts = vec![0; vertices + 1];
-    let mut count = 0;
-    for (h, &v) in (0..).zip(&columns.origin).step_by(2) {
-        let word = &mut columns.outgoing[v as usize];
-        // No branch: nobody can foresee where the new vertices stand.
-        firsts[count] = h;
-        count += usize::from(*word == NONE);
-        *word = h.min(*word);
-    }
-    firsts.truncate(count);
-    firsts
-}
-
 /// The half-edges without a face. Most stretches of the column have none, which is quickly seen.
 fn border(face: &[u32]) -> Vec<u32> {
     const STRETCH: usize = 256;
@@ -200,7 +182,7 @@ fn star_length(prev: &[u32], h: u32) -> usize {
     }
 }
 
-/// How many half-edges walks round the origins of all `firsts` meet.
+/// How many half-edges walks round the origins of all `firsts` meet, those that are `NONE` left out.
 ///
 /// Many walks are under way at a time: each step waits for memory, but none waits for the steps of the others.
 fn stars_length(prev: &[u32], mut firsts: &[u32]) -> usize {
@@ -211,12 +193,13 @@ fn stars_length(prev: &[u32], mut firsts: &[u32]) -> usize {
     let mut length = 0;
     loop {
         let (fresh, waiting) = firsts.split_at(firsts.len().min(WALKS - going));
-        for (walk, &h) in walks[going..].iter_mut().zip(fresh) {
-            *walk = [h, h];
+        let mut under_way = going;
+        for &h in fresh {
+            walks[under_way] = [h, h];
+            under_way += usize::from(h != NONE);
         }
         firsts = waiting;
-        let under_way = going + fresh.len();
-        if under_way == 0 {
+        if under_way == 0 && firsts.is_empty() {
             return length;
         }
         length += under_way;

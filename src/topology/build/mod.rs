@@ -130,14 +130,19 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
     first_face: u32,
 ) -> Result<Matched, BuildError> {
     TooMany::check(vertices, faces.corners().len(), faces.face_count() + first_face as usize)?;
-    faces.check_each(vertices)?;
+    if !F::SHOWN_BY_ENDS {
+        faces.check_each(vertices)?;
+    }
     let columns = match is_local(faces.corners()).then(|| streamed(faces, vertices, first_face)) {
         None | Some(Err(Stop::LongList)) => bucketed(faces, vertices, first_face),
         Some(done) => done,
     };
     match columns {
-        Ok(columns) => Ok(Matched::new(vertices, columns, first_face)),
-        Err(_) => Err(diagnose::clash(faces)),
+        Ok(columns) => Ok(Matched::new(columns, first_face)),
+        Err(_) => {
+            faces.check_each(vertices)?;
+            Err(diagnose::clash(faces))
+        }
     }
 }
 
@@ -146,6 +151,8 @@ const BORDERS: usize = 16;
 
 /// Why matching stopped.
 enum Stop {
+    /// An end of a half-edge is no vertex, or both are the same.
+    Ends,
     /// Two half-edges run in the same direction between the same vertices, or three share an edge.
     Clash,
     /// A list is too long to be searched.
