@@ -47,7 +47,9 @@ impl Ranks {
     #[inline]
     fn rank(&self, f: usize) -> (usize, bool) {
         let (word, bit) = (self.words[f / 64], 1 << (f % 64));
-        (self.before[f / 64] as usize + (word & (bit - 1)).count_ones() as usize, word & bit != 0)
+        // Faces and holes often come in long runs, and not every processor is told to count bits at once.
+        let below = if word == u64::MAX { f % 64 } else { (word & (bit - 1)).count_ones() as usize };
+        (self.before[f / 64] as usize + below, word & bit != 0)
     }
 }
 
