@@ -182,10 +182,18 @@ mod tests {
         };
         assert_eq!(of_places(0.0), of_places(6e-17), "nothing, but for rounding");
         assert_ne!(of_places(0.0), of_places(0.5));
+        let of_polygon = |corners| said(CallEnd::Returned(vec![Value::Polygon(corners)])).unwrap().tag;
+        let large = |x| of_polygon(vec![[x, 0.0], [4e6, 3e6]]);
+        assert_eq!(large(1e6), large(1e6 + 1e-7), "rounding grows with the numbers");
+        let small = |x| of_polygon(vec![[x, 0.0], [4e-6, 3e-6]]);
+        assert_ne!(small(1e-6), small(2e-6), "what matters shrinks with them");
         let of_ids = |id| said(CallEnd::Returned(vec![Value::Id(id)])).unwrap().tag;
         assert_eq!(of_ids(5), of_ids(6), "new elements have any numbers");
         let nothing = said(CallEnd::Returned(Vec::new())).unwrap();
         assert_eq!(nothing.words, "twice 4 returned nothing: that is not one number");
+        let message = "attempt to divide by zero".to_owned();
+        let crashed = said(CallEnd::Panicked { message, place: None }).unwrap();
+        assert_eq!(crashed.words, "twice 4 panicked: attempt to divide by zero");
         let message = "not yet implemented: twice".to_owned();
         assert_eq!(said(CallEnd::Panicked { message, place: None }).unwrap().kind, FaultKind::Unattempted);
     }

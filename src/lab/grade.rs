@@ -543,3 +543,27 @@ fn count(ruling: &Ruling) -> String {
     };
     format!("{failing} of {judged} {calls}{rest}.")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_said_how_many_calls_fail_and_why_others_are_not_judged() {
+        let said = |[failing, passing, asked]: [usize; 3], because: &[&str]| {
+            let mut ruling = Ruling::default();
+            ruling.asked = asked;
+            ruling.failing = (0..failing).collect();
+            ruling.passing = (failing..failing + passing).collect();
+            ruling.because = because.iter().map(|&test| test.to_owned()).collect();
+            count(&ruling)
+        };
+        assert_eq!(said([1, 0, 1], &[]), "1 of 1 call fails.");
+        assert_eq!(said([2, 3, 5], &[]), "2 of 5 calls fail.");
+        assert_eq!(said([1, 3, 9], &[]), "1 of 4 calls fail; 5 after them are not judged.");
+        assert_eq!(
+            said([1, 3, 9], &["split_face_1", "split_face_2"]),
+            "1 of 4 calls fail; 5 are not judged: there, split_face_1 or split_face_2 fails first."
+        );
+    }
+}

@@ -97,7 +97,21 @@ fn number(text: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fault::exchanges;
+    use super::super::protocol::{Called, Start, Step};
     use super::*;
+
+    #[test]
+    fn an_answer_is_all_that_was_returned_or_the_picture() {
+        let case = Case::new("x", Start::none()).step(Step::of_line("pole 4")).step(Step::Svg);
+        let values = vec![Value::List(vec![Value::Number(0.1 + 0.2), Value::Id(7)]), Value::Truth(true)];
+        let called = Called { arguments: vec![4], end: CallEnd::Returned(values) };
+        let replies = vec![Reply::Called(called), Reply::Svg("<svg width=\"0.5\"/>".to_owned())];
+        let answers = CaseAnswer { replies, complete: true, broken: None };
+        let exchanges = exchanges(&case, &answers);
+        assert_eq!(answer(exchanges.first(), 0, &case, &answers), "3.00000e-1\n7\n\ntrue\n");
+        assert_eq!(answer(None, 1, &case, &answers), "<svg width=\"5.00000e-1\"/>");
+    }
 
     #[test]
     fn what_is_said_is_the_same_with_every_numbering_and_to_six_digits() {

@@ -127,6 +127,22 @@ mod tests {
     }
 
     #[test]
+    fn a_cycle_that_is_too_long_for_a_line_is_cut_and_says_so() {
+        let shown = |corners: usize| {
+            let table = Table::from_view(&Dcel::polygon(corners).unwrap());
+            walk(&table, FaceId::new(0))
+        };
+        for corners in [CYCLE - 1, CYCLE] {
+            let line = shown(corners);
+            assert!(line.split(' ').count() == corners && !line.contains('…'), "{line}");
+        }
+        for corners in [CYCLE + 1, CYCLE + 5] {
+            let line = shown(corners);
+            assert!(line.split(' ').count() == CYCLE + 1 && line.ends_with(" …"), "{line}");
+        }
+    }
+
+    #[test]
     fn what_stood_there_before_is_that_of_the_same_field() {
         let before = Table::from_view(&Dcel::polygon(3).unwrap());
         let (mut expected, mut yours) = (before.clone(), before.clone());

@@ -248,4 +248,15 @@ mod tests {
         let flat = format!("[{}]", "[] ".repeat(MOST + 1));
         assert_eq!(read(&flat), Err(Unreadable::TooMany));
     }
+
+    #[test]
+    fn as_many_values_are_read_as_there_may_be_and_not_one_more() {
+        let most = vec!["1"; MOST].join(" ");
+        assert_eq!(read(&most).map(|values| values.len()), Ok(MOST));
+        assert_eq!(read(&format!("{most} 1")), Err(Unreadable::TooMany));
+        // A polygon counts with its corners, so that the number may be reached in the middle of a value.
+        let polygon = format!("<{}>", vec!["0,0"; MOST - 1].join(" "));
+        assert_eq!(read(&polygon).map(|values| values.len()), Ok(1));
+        assert_eq!(read(&format!("{polygon} 1")), Err(Unreadable::TooMany));
+    }
 }
