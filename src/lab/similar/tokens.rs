@@ -129,3 +129,32 @@ fn flat(text: &str) -> Option<Vec<Token>> {
 fn is_doc(attribute: &TokenStream) -> bool {
     matches!(attribute.clone().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_and_names_change_no_token_and_operators_do() {
+        let of = |text: &str| tokens(text, &BTreeSet::new()).unwrap();
+        let plain = of("fn more(a: i32) -> i32 { a + 1 }");
+        for same in [
+            "/// One more.\nfn more(a: i32) -> i32 { a + 1 }",
+            "//! Numbers.\nfn more(a: i32) -> i32 { a + 1 }",
+            "fn more(a: i32) -> i32 { /* no less */ a + 1 } // and no more",
+            "fn next(from: i32) -> i32 {\n    from + 2\n}",
+        ] {
+            assert_eq!(of(same), plain, "{same}");
+        }
+        for other in
+            ["fn more(a: i32) -> i32 { a - 1 }", "fn more(a: i32) -> i32 { -a + 1 }", "#[inline]\nfn more() {}"]
+        {
+            assert_ne!(of(other), plain, "{other}");
+        }
+        assert_eq!(
+            of("#[inline]\nfn more() {}"),
+            of("#![inline]\nfn less() {}"),
+            "an attribute is one, wherever it stands"
+        );
+    }
+}

@@ -164,6 +164,16 @@ mod tests {
     }
 
     #[test]
+    fn a_folder_that_cannot_be_read_is_not_an_empty_one() {
+        let room = tempfile::tempdir().unwrap();
+        assert_eq!(of_folder(room.path(), &["lab.rs"]).unwrap(), []);
+        assert!(of_folder(&room.path().join("gone"), &["lab.rs"]).is_err());
+        fs::write(room.path().join("lab.rs"), "").unwrap();
+        assert!(of_folder(&room.path().join("lab.rs"), &["lab.rs"]).is_err(), "a file is no folder");
+        assert_eq!(of_folder(room.path(), &["lab.rs"]).unwrap().len(), 1);
+    }
+
+    #[test]
     fn endings_are_alike_if_there_are_any() {
         assert!(ends_alike("other.RS", "lab.rs"));
         assert!(!ends_alike("other.txt", "lab.rs") && !ends_alike("other", "lab.rs") && !ends_alike("other", "lab"));
