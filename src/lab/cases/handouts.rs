@@ -107,3 +107,37 @@ pub fn circle([a, b, c]: [Point; 3]) -> Vec<Point> {
     };
     (0..CORNERS).map(at).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_circle_goes_through_its_three_points() {
+        let [a, b, c] = [[-180.0, -110.0], [120.0, -120.0], [10.0, 150.0]].map(|[x, y]| Point::new(x, y));
+        let corners = circle([a, b, c]);
+        let n = corners.len() as f64;
+        // All corners are in the middle of the circle, taken together.
+        let [x, y] = [|p: &Point| p.x, |p: &Point| p.y].map(|of| corners.iter().map(of).sum::<f64>() / n);
+        let away = |p: &Point| (p.x - x).hypot(p.y - y);
+        for p in [a, b, c].iter().chain(&corners) {
+            assert!(
+                (away(p) - away(&a)).abs() < 1e-9,
+                "{p:?} is {} from the centre, and {a:?} is {}",
+                away(p),
+                away(&a)
+            );
+        }
+    }
+
+    #[test]
+    fn the_faces_of_the_list_turn_left_and_fill_a_rectangle() {
+        let area = |face: &&[u32]| {
+            let at = |i: usize| LIST_POINTS[face[i % face.len()] as usize];
+            (0..face.len()).map(|i| at(i)[0] * at(i + 1)[1] - at(i)[1] * at(i + 1)[0]).sum::<f64>() / 2.0
+        };
+        let areas: Vec<i64> = LIST_FACES.iter().map(|face| area(face) as i64).collect();
+        assert_eq!(areas, [18_750, 56_250, 18_750, 56_250]);
+        assert_eq!(areas.iter().sum::<i64>(), 500 * 300);
+    }
+}
