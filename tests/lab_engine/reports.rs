@@ -273,6 +273,17 @@ fn pages_hold_what_they_say_and_nothing_runs() {
 }
 
 #[test]
+fn a_page_has_the_pictures_as_text_where_there_is_one() {
+    let mut one = report();
+    let page = Format::Html.one(&one);
+    assert_eq!(page.matches("The pictures as text").count(), 1);
+    assert!(page.contains("<pre>h8  face f2 → f1\n</pre>"), "{page}");
+    one.tests.iter_mut().filter_map(|test| test.picture.as_mut()).for_each(|picture| picture.ascii.clear());
+    let page = Format::Html.one(&one);
+    assert!(page.contains("<figure ") && !page.contains("The pictures as text"), "{page}");
+}
+
+#[test]
 fn what_is_still_to_do_is_open_in_a_page_and_what_is_wrong_is_not() {
     for (verdict, class, sign) in [
         (Verdict::Passed, "yes", '✓'),

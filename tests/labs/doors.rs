@@ -5,7 +5,8 @@
 
 use super::commands::{solution, with_bug};
 use crate::shell::Folder;
-use dcel_lab::{Lab, Plan, Report, Verdict, Workbench, check_folder};
+use dcel_lab::{Lab, Plan, Report, Verdict, Workbench, check_folder, graded};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -131,6 +132,31 @@ fn every_door_gives_the_same_verdict() {
     assert_eq!(fs::read_dir(shell.path("bench")).unwrap().count(), 1, "one place for all checks");
     drop(bench);
     assert_eq!(fs::read_dir(shell.path("bench")).unwrap().count(), 0, "and none afterwards");
+}
+
+/// What each test of `tests/graded.rs` calls. One check serves all of them.
+#[test]
+fn a_test_in_the_folder_fails_unless_it_is_passed() {
+    let shell = Folder::new();
+    shell.dcel("lab start 04 lab").fine();
+    fs::write(shell.path("lab/src/lab.rs"), with_bug(28).0).unwrap();
+    let (folder, work) = (shell.path("lab"), shell.path("work"));
+    let by_check = check_folder(&Lab::bundled("04").unwrap(), &folder, &work, &Plan::with_seed(4)).report;
+    let said = |test: &str| {
+        let failure = std::panic::catch_unwind(|| graded("04-half-edge", &folder, &work, test)).err()?;
+        Some(*failure.downcast::<String>().expect("words"))
+    };
+    let mut seen = BTreeSet::new();
+    for test in &by_check.tests {
+        let words = said(&test.name);
+        assert_eq!(words.is_none(), test.verdict == Verdict::Passed, "{}: {words:?}", test.name);
+        if let Some(words) = words {
+            assert!(words.starts_with(&format!("\n\n{}: {}\n", test.name, test.verdict)), "{words}");
+        }
+        seen.insert(test.verdict);
+    }
+    assert!(seen.contains(&Verdict::Passed) && seen.contains(&Verdict::Wrong), "{seen:?}");
+    assert!(said("no_test").is_some_and(|words| words.contains("no_test is no graded test of 04-half-edge")));
 }
 
 fn copy(from: &Path, to: &Path) {
