@@ -1,5 +1,6 @@
 //! Every lab grades rightly, and what is compiled into the kit is what stands in `labs/`.
 
+use crate::shell::Folder;
 use aho_corasick::AhoCorasick;
 use dcel_lab::courses::FOLDERS;
 use dcel_lab::{COPIES, KitBuild, Lab, LabFiles, Package, Verdict, verify, verify_some};
@@ -59,6 +60,40 @@ fn the_program_carries_the_sources_that_its_builds_read() {
     }
     for (copy, of) in COPIES {
         assert_eq!(read(copy.to_owned()), read(of.to_owned()), "{copy}: {anew}");
+    }
+}
+
+/// In a copy of the checkout: what the command writes is what stands there.
+#[test]
+fn what_the_program_carries_is_written_anew_by_a_command() {
+    const SOURCES: [&str; 5] = ["src", "labs", "figures", "Cargo.toml", "Cargo.lock"];
+    let checkout = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let shell = Folder::new();
+    SOURCES.iter().for_each(|part| copy(&checkout.join(part), &shell.path("kit").join(part)));
+    let bundles = LabFiles::bundled_names().into_iter().map(|name| format!("src/lab/bundle/{name}.txt"));
+    let copies = COPIES.iter().map(|(copy, _)| (*copy).to_owned());
+    let mut written: Vec<String> = bundles.chain(copies).collect();
+    for build in KitBuild::ALL {
+        written.push(format!("{}/Cargo.lock.txt", build.folder()));
+        let packages = build.manifests(checkout).unwrap().into_keys();
+        written.extend(packages.map(|package| format!("{}/{}.toml.txt", build.folder(), package.name())));
+    }
+    written.iter().for_each(|path| std::fs::remove_file(shell.path("kit").join(path)).unwrap());
+    shell.dcel("lab bundle kit").fine();
+    for path in written {
+        let [new, old] = [&shell.path("kit"), checkout].map(|root| std::fs::read_to_string(root.join(&path)).unwrap());
+        assert_eq!(new, old, "{path}");
+    }
+}
+
+fn copy(from: &Path, to: &Path) {
+    if from.is_dir() {
+        std::fs::create_dir_all(to).unwrap();
+        let inside = std::fs::read_dir(from).unwrap().map(|entry| entry.unwrap().file_name());
+        // What was built there is not looked at.
+        inside.filter(|name| name != "target").for_each(|name| copy(&from.join(&name), &to.join(&name)));
+    } else {
+        std::fs::copy(from, to).unwrap();
     }
 }
 
