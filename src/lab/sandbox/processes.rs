@@ -68,17 +68,29 @@ pub(super) fn runs(word: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
 
     #[test]
     fn the_table_knows_this_process_and_its_children() {
-        let mut child = std::process::Command::new("sleep").arg("60").spawn().unwrap();
-        let (own, pid) = (i32::try_from(std::process::id()).unwrap(), i32::try_from(child.id()).unwrap());
+        let own = i32::try_from(std::process::id()).unwrap();
+        let word = format!("word-of-{own}");
+        let mut command = Command::new("/bin/sh");
+        let mut child = command.args(["-c", "read line", &word]).stdin(Stdio::piped()).spawn().unwrap();
+        let pid = i32::try_from(child.id()).unwrap();
         let table = processes();
         let found = descendants(&table, own);
         assert!(start_of(pid).is_some_and(|start| start.parse::<u64>().is_ok()));
-        assert!(runs("sleep") && !runs(&format!("sleep{own}")));
+        // While a process becomes another program, there is a moment in which it was called with nothing.
+        let begin = Instant::now();
+        while !runs(&word) {
+            assert!(begin.elapsed() < Duration::from_secs(20), "it is not seen");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        assert!(!runs(&format!("{word}0")) && !runs(&word[..4]), "a word is a whole one");
         child.kill().unwrap();
         child.wait().unwrap();
+        assert!(!runs(&word), "it is gone");
         assert!(found.contains(&pid) && !found.contains(&own), "{found:?}");
         assert!(table.iter().any(|p| p.pid == own && p.threads >= 1 && !p.zombie));
     }
