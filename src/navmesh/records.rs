@@ -134,6 +134,23 @@ mod tests {
     use super::{FaceRecord, FaceTable};
 
     #[test]
+    fn slots_are_counted_through_long_runs_of_faces_and_of_holes() {
+        for (holes, faces) in [(100, 200), (64, 128), (1, 400), (300, 65)] {
+            let has = |f: usize| f % (holes + faces) >= holes;
+            let table = FaceTable::new(2000, has);
+            let ranks = table.ranks.is_some();
+            let slots = (0..2000).scan(0, |slot, f| {
+                *slot += usize::from(has(f));
+                Some(has(f).then(|| *slot - 1))
+            });
+            for (f, slot) in slots.enumerate() {
+                assert_eq!(table.slot(f), if ranks { slot } else { Some(f) }, "{f}, {holes} holes, {faces} faces");
+            }
+            assert_eq!(ranks, holes > 1, "many holes, or few");
+        }
+    }
+
+    #[test]
     fn slots_are_counted_among_faces_and_among_holes() {
         for (bound, every) in [(1, 2), (64, 2), (65, 2), (1000, 3), (1000, 64), (5000, 7)] {
             let has = |f: usize| f % every == 1;
