@@ -106,9 +106,10 @@ impl Input {
         Self { count, long, names, zero, first: None, points_given: true, faults: Vec::new(), distinct }
     }
 
-    /// Whether two graphs have no point in common: then they have no edge in common either.
-    fn are_apart(&self) -> bool {
-        self.first.is_some() && self.distinct.points.len() == self.distinct.number.len()
+    /// Whether it is known that no edge is there twice: two graphs have no point in common, or no two segments have.
+    fn are_single(&self) -> bool {
+        let may_share_points = self.points_given && self.first.is_none();
+        !may_share_points && self.distinct.points.len() == self.distinct.number.len()
     }
 
     /// By edge a bit for the first segments and one for the others, if each of them are known to meet at common ends only.
@@ -133,7 +134,7 @@ fn without_length(count: usize, is_point: impl Fn(usize) -> bool, at: impl Fn(us
 
 pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arranged, SegmentsError> {
     let mut repeated = Vec::new();
-    let Single { edges, half } = if input.are_apart() {
+    let Single { edges, half } = if input.are_single() {
         Single::as_given(std::mem::take(&mut input.long))
     } else {
         Single::new(input.distinct.points.len(), &input.long, |second, first| {
