@@ -68,7 +68,7 @@ fn deal<F: Faces + ?Sized>(
     let count = faces.corners().len();
     let mut sizes = vec![0_u32; blocks];
     faces.try_for_each_half_edge(|_, from, to| {
-        // Each end is the beginning of a half-edge, too.
+        // There is a block for the sum of two vertices only.
         if from == to || from.max(to) as usize >= vertices {
             return Err(Stop::Ends);
         }

@@ -130,6 +130,7 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
     first_face: u32,
 ) -> Result<Matched, BuildError> {
     TooMany::check(vertices, faces.corners().len(), faces.face_count() + first_face as usize)?;
+    // What ends show, matching meets: it reads all of them anyway.
     if !F::SHOWN_BY_ENDS {
         faces.check_each(vertices)?;
     }
