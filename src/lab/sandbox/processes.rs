@@ -87,7 +87,7 @@ mod tests {
             assert!(begin.elapsed() < Duration::from_secs(20), "it is not seen");
             std::thread::sleep(Duration::from_millis(1));
         }
-        assert!(!runs(&format!("{word}0")) && !runs(&word[..4]), "a word is a whole one");
+        assert!(!runs(&format!("{word}0")) && !runs(&word[.."word-of-".len()]), "a word is a whole one");
         child.kill().unwrap();
         child.wait().unwrap();
         assert!(!runs(&word), "it is gone");
