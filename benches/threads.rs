@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --manifest-path benches/Cargo.toml --features parallel --bench threads`
 
-use dcel_kit::plane::{Point, PointIndex, Subdivision};
+use dcel_kit::plane::{ArrangeOptions, Point, PointIndex, Subdivision};
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Polyhedron, Selection};
 use dcel_kit::topology::PolygonList;
@@ -53,6 +53,12 @@ fn main() {
     row("index of its 2 * 10^6 triangles", &pools, || PointIndex::new(&map));
     let index = PointIndex::new(&map);
     row("10^6 points located together", &pools, || index.locate_all(&asked));
+    let segments: Vec<[Point; 2]> = sites
+        .chunks_exact(5)
+        .map(|p| [p[0], Point::new(p[0].x + 0.008 * (p[1].x - 0.5), p[0].y + 0.008 * (p[1].y - 0.5))])
+        .collect();
+    let options = ArrangeOptions { split: true, grid: Some(2f64.powi(-30)), ..ArrangeOptions::default() };
+    row("200,000 segments, rounded to a grid", &pools, || Subdivision::arrange_segments(&segments, &options));
     let torus = Shape::Torus { n: 500, m: 500 }.build().expect("a torus of this size fits").polyhedron;
     let creases = Selection::new();
     row("Catmull-Clark to 10^6 faces", &pools, || torus.catmull_clark(&creases));

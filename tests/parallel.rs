@@ -1,6 +1,7 @@
 //! The feature `parallel`: one thread and several give the same answers, half-edge by half-edge.
 
-use dcel_kit::plane::{DelaunayBuilt, Point, PointIndex, Subdivision};
+use dcel_kit::plane::{ArrangeOptions, DelaunayBuilt, Point, PointIndex, Subdivision};
+use dcel_kit::progress::Progress;
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Platonic, Polyhedron, Selection};
 use rayon::ThreadPoolBuilder;
@@ -30,6 +31,15 @@ fn sets() -> Vec<(&'static str, Vec<Point>)> {
         ("circle", set(&|_, i| [(TAU * i as f64 / MANY as f64).cos(), (TAU * i as f64 / MANY as f64).sin()])),
         // In a few cells of the grid, and a far point.
         ("crowded", set(&|numbers, i| if i == 9 { [1e6, 1e6] } else { [numbers.unit(), numbers.unit()] })),
+        // Many in a few cells, with the smallest keys or with the greatest; the others everywhere.
+        (
+            "crowded below",
+            set(&|numbers, i| [numbers.unit(), numbers.unit()].map(|x| if i % 3 == 0 { 1e-6 * x } else { x })),
+        ),
+        (
+            "crowded above",
+            set(&|numbers, i| [numbers.unit(), numbers.unit()].map(|x| if i % 3 == 0 { 1e-6 * x } else { -x })),
+        ),
         // Long seams: the upper outline of each half sees far into the other.
         (
             "moon",
@@ -51,9 +61,9 @@ fn a_delaunay_triangulation_does_not_depend_on_the_threads() {
     }
 }
 
-/// A half that left numbers of edges free would leave them to the other half if one thread made both.
+/// Also one thread makes the parts of a large set by themselves, and the edges that join them in places that these left.
 #[test]
-fn edges_have_the_same_numbers_for_no_half_leaves_gaps() {
+fn edges_that_join_parts_have_the_same_numbers() {
     for seed in 0..60 {
         let mut numbers = Numbers::new(seed);
         let mut point = || Point::new(numbers.unit(), numbers.unit() * numbers.unit());
@@ -98,4 +108,31 @@ fn an_index_does_not_depend_on_the_threads() {
         let made = |threads| on(threads, || format!("{:?}", PointIndex::new(&subdivision)));
         assert!(made(1) == made(3), "{name}");
     }
+}
+
+#[test]
+fn segments_on_a_grid_do_not_depend_on_the_threads() {
+    let mut numbers = Numbers::new(3);
+    let segments: Vec<[Point; 2]> = (0..20_000)
+        .map(|_| {
+            let [x, y] = [numbers.unit(), numbers.unit()];
+            [Point::new(x, y), Point::new(x + 0.03 * (numbers.unit() - 0.5), y + 0.03 * (numbers.unit() - 0.5))]
+        })
+        .collect();
+    for grid in [2f64.powi(-8), 2f64.powi(-30)] {
+        let options = ArrangeOptions { split: true, grid: Some(grid), ..ArrangeOptions::default() };
+        let made = |threads| on(threads, || Subdivision::arrange_segments(&segments, &options).unwrap());
+        let one = made(1);
+        assert!(one.subdivision.edge_count() > 30_000, "{}", one.subdivision.edge_count());
+        assert!(one == made(3), "{grid}");
+    }
+}
+
+/// The caller is no thread of the pool that does the work.
+#[test]
+fn who_watches_is_told_what_other_threads_do() {
+    let (points, progress) = (&sets()[0].1, Progress::new());
+    progress.watch(|| drop(Subdivision::delaunay(points)));
+    let last = progress.last().map(|last| (last.what, last.done as usize));
+    assert_eq!(last, Some(("triangulating", points.len())));
 }

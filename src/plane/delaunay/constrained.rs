@@ -10,7 +10,7 @@
 //!
 //! Source: Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993.
 
-use super::{Subdivision, assembled, divide_and_conquer, ordered};
+use super::{Subdivision, assembled, divide_and_conquer, ordered, stage};
 use crate::geometry::predicates::orientation;
 use crate::ids::{EdgeId, EdgeMap, FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::Point;
@@ -77,7 +77,7 @@ impl Subdivision {
         let points: Vec<Point> = live.iter().map(|&v| self.points[v]).collect();
         let order = ordered(&points);
         let names: Vec<u32> = order.sites.iter().map(|site| live[site.index as usize].number()).collect();
-        let mut made = assembled(divide_and_conquer(&order), &names, self.points.clone());
+        let mut made = assembled(divide_and_conquer(&order, &stage(&order)), &names, self.points.clone());
         // From the last one on, so that the lowest free number is given out first.
         let dead: Vec<VertexId> = made.dcel.vertices().rev().filter(|&v| !self.dcel.has_vertex(v)).collect();
         dead.into_iter().for_each(|v| made.dcel.remove_vertex_record(v, &mut NoRecorder));

@@ -23,51 +23,73 @@ use crate::geometry::threads;
 use crate::plane::Point;
 use crate::progress::Stage;
 use std::cmp::Ordering;
+use std::ops::Range;
 
 /// A finished triangulation: half-edges whose origins are places in the order, and one of the outline.
 pub(super) struct Divided {
-    pub(super) halves: Halves,
+    pub(super) origin: Vec<u32>,
+    pub(super) next: Vec<u32>,
+    pub(super) prev: Vec<u32>,
     pub(super) outer: u32,
 }
 
-/// Parts with more points than this are shared by two threads. The edges get the numbers that one thread would give them:
-/// no half leaves gaps (see [`Work::rise`]).
+/// Parts with more points than this are made of two that know nothing of each other, by two threads if there are two. One
+/// thread does the same, so that edges get the same numbers.
 const LARGE: u32 = 1 << 15;
 
+/// The stage of the triangulation of ordered points. It is begun by the thread that is watched, which need not be the one that
+/// does the work.
+pub(super) fn stage(ordered: &Ordered) -> Stage {
+    Stage::new("triangulating", ordered.sites.len())
+}
+
 /// Triangulates distinct points, if there are two or more. Points on one line become a path.
-pub(super) fn divide_and_conquer(ordered: &Ordered) -> Option<Divided> {
+pub(super) fn divide_and_conquer(ordered: &Ordered, stage: &Stage) -> Option<Divided> {
     let count = ordered.sites.len() as u32;
     if count < 2 {
         return None;
     }
-    let stage = Stage::new("triangulating", count as usize);
-    let (mut work, part) = whole(ordered, &stage, 0, count, count);
+    let [mut origin, mut next, mut prev] = [(); 3].map(|()| vec![0; 6 * count as usize]);
+    let (halves, part) = whole(ordered, stage, 0..count, [&mut origin, &mut next, &mut prev]);
     stage.set(count as usize);
     let outer = match part {
         Part::Edges(outer) => outer,
         Part::Point(_) => 0,
     };
-    let outer = work.halves.fill_gaps(outer);
-    Some(Divided { halves: work.halves, outer })
+    let (outer, length) = halves.fill_gaps(outer);
+    [&mut origin, &mut next, &mut prev].into_iter().for_each(|column| column.truncate(length));
+    Some(Divided { origin, next, prev, outer })
 }
 
-/// The points from `low` to `high`, with half-edges of their own, and room for those of `room` points.
-fn whole<'a>(ordered: &'a Ordered, stage: &'a Stage, low: u32, high: u32, room: u32) -> (Work<'a>, Part) {
-    let shared = threads::are_many() && high - low > LARGE;
-    let Some((cut, axis)) = shared.then(|| ordered.cut(0, low, high)).flatten() else {
-        let mut work = Work { ordered, stage, halves: Halves::with_room(3 * room as usize) };
+/// The points of a range; their half-edges lie in columns that have room for six for each point.
+///
+/// ```text
+///     first half          second half          a new edge joins them in a place that one of the halves did not need:
+///     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒·····│▒▒▒▒▒▒▒▒▒▒▒▒▒····    nothing is moved, and only as many places stay free as the outline
+///                                              has edges, and three
+/// ```
+fn whole<'a>(
+    ordered: &Ordered,
+    stage: &Stage,
+    range: Range<u32>,
+    mut columns: [&'a mut [u32]; 3],
+) -> (Halves<'a>, Part) {
+    let (low, high) = (range.start, range.end);
+    let Some((cut, axis)) = (high - low > LARGE).then(|| ordered.cut(0, low, high)).flatten() else {
+        let mut work = Work { ordered, stage, halves: Halves::new(6 * low, columns) };
         let part = work.by_key(0, low, high);
-        return (work, part);
+        return (work.halves, part);
     };
-    let ((mut work, left), (other, right)) =
-        threads::both(|| whole(ordered, stage, low, cut, room), || whole(ordered, stage, cut, high, high - cut));
-    let shift = work.halves.append(other.halves);
-    let right = match right {
-        Part::Edges(h) => Part::Edges(h + shift),
-        Part::Point(v) => Part::Point(v),
+    let half = |range, columns| {
+        let (halves, part) = whole(ordered, stage, range, columns);
+        (halves.into_free(), part)
     };
+    let [left, right] = threads::halved(columns.each_mut().map(|column| &mut **column), 6 * (cut - low) as usize);
+    let ((mut free, left), (more, right)) = threads::both(|| half(low..cut, left), || half(cut..high, right));
+    free.extend(more);
+    let mut work = Work { ordered, stage, halves: Halves::filled(6 * low, columns, free) };
     let part = work.merge(left, right, axis);
-    (work, part)
+    (work.halves, part)
 }
 
 /// What is done of the points.
@@ -79,13 +101,13 @@ enum Part {
     Edges(u32),
 }
 
-struct Work<'a> {
-    ordered: &'a Ordered,
-    stage: &'a Stage,
-    halves: Halves,
+struct Work<'a, 'b> {
+    ordered: &'b Ordered,
+    stage: &'b Stage,
+    halves: Halves<'a>,
 }
 
-impl Work<'_> {
+impl Work<'_, '_> {
     #[inline]
     fn at(&self, v: u32) -> Point {
         self.ordered.sites[v as usize].point

@@ -8,26 +8,47 @@
 //!    g2 ──<── ● ──<── p2                g2 ──<── ● ──<── p2
 //! ```
 
-/// A growing set of half-edges, in the columns of the finished structure. The twin of h is h ^ 1, as everywhere. Removed edges
-/// leave their place to the next one that is made.
-pub(super) struct Halves {
-    pub(super) origin: Vec<u32>,
-    pub(super) next: Vec<u32>,
-    pub(super) prev: Vec<u32>,
-    /// Removed edges.
+/// A growing set of half-edges, in a part of the columns of the finished structure. The twin of h is h ^ 1, as everywhere.
+/// Removed edges leave their place to the next one that is made.
+pub(super) struct Halves<'a> {
+    /// The number of the first half-edge.
+    base: u32,
+    origin: &'a mut [u32],
+    next: &'a mut [u32],
+    prev: &'a mut [u32],
+    /// So many places were used.
+    made: u32,
+    /// Edges that are not in use, among these places.
     free: Vec<u32>,
 }
 
-impl Halves {
-    /// No edge yet, and room for so many.
-    pub(super) fn with_room(edges: usize) -> Self {
-        let [origin, next, prev] = [(); 3].map(|()| Vec::with_capacity(2 * edges));
-        Self { origin, next, prev, free: Vec::new() }
+impl<'a> Halves<'a> {
+    /// No edge yet; numbers start at `base`.
+    pub(super) fn new(base: u32, [origin, next, prev]: [&'a mut [u32]; 3]) -> Self {
+        Self { base, origin, next, prev, made: 0, free: Vec::new() }
+    }
+
+    /// All places are in use, but those of the given edges. The last of these is made first.
+    pub(super) fn filled(base: u32, columns: [&'a mut [u32]; 3], free: Vec<u32>) -> Self {
+        let made = columns[0].len() as u32;
+        Self { made, free, ..Self::new(base, columns) }
+    }
+
+    /// The edges that are not in use, all others of its places among them.
+    pub(super) fn into_free(mut self) -> Vec<u32> {
+        let [first, end] = [self.made, self.origin.len() as u32].map(|place| (self.base + place) / 2);
+        self.free.splice(0..0, (first..end).rev());
+        self.free
+    }
+
+    #[inline(always)]
+    fn place(&self, h: u32) -> usize {
+        (h - self.base) as usize
     }
 
     #[inline]
     pub(super) fn origin(&self, h: u32) -> u32 {
-        self.origin[h as usize]
+        self.origin[self.place(h)]
     }
 
     #[inline]
@@ -37,12 +58,12 @@ impl Halves {
 
     #[inline]
     pub(super) fn next(&self, h: u32) -> u32 {
-        self.next[h as usize]
+        self.next[self.place(h)]
     }
 
     #[inline]
     pub(super) fn prev(&self, h: u32) -> u32 {
-        self.prev[h as usize]
+        self.prev[self.place(h)]
     }
 
     /// The next half-edge counter-clockwise round the origin of `h`.
@@ -59,32 +80,27 @@ impl Halves {
 
     #[inline]
     fn link(&mut self, h: u32, next: u32) {
-        self.next[h as usize] = next;
-        self.prev[next as usize] = h;
+        let (h_place, next_place) = (self.place(h), self.place(next));
+        self.next[h_place] = next;
+        self.prev[next_place] = h;
     }
 
     /// A new edge from `a` to `b` that touches nothing else; returns the half that starts at `a`.
     #[inline]
     pub(super) fn edge(&mut self, a: u32, b: u32) -> u32 {
-        match self.free.pop() {
+        let h = match self.free.pop() {
             None => {
-                let h = self.origin.len() as u32;
-                for (column, halves) in
-                    [(&mut self.origin, (a, b)), (&mut self.next, (h ^ 1, h)), (&mut self.prev, (h ^ 1, h))]
-                {
-                    column.push(halves.0);
-                    column.push(halves.1);
-                }
+                let h = self.base + self.made;
+                self.made += 2;
                 h
             }
-            Some(edge) => {
-                let h = 2 * edge;
-                (self.origin[h as usize], self.origin[h as usize | 1]) = (a, b);
-                self.link(h, h ^ 1);
-                self.link(h ^ 1, h);
-                h
-            }
-        }
+            Some(edge) => 2 * edge,
+        };
+        let place = self.place(h);
+        (self.origin[place], self.origin[place + 1]) = (a, b);
+        (self.next[place], self.next[place + 1]) = (h ^ 1, h);
+        (self.prev[place], self.prev[place + 1]) = (h ^ 1, h);
+        h
     }
 
     /// A new edge from the origin of `g1` to that of `g2`, in the corners before them. Returns its half that
@@ -119,26 +135,16 @@ impl Halves {
         self.free.push(h >> 1);
     }
 
-    /// Takes over the half-edges of another set, which touch none of these; each gets the number that is returned more.
-    /// O(those of the other set).
-    pub(super) fn append(&mut self, other: Self) -> u32 {
-        let shift = self.origin.len() as u32;
-        self.origin.extend(other.origin);
-        self.next.extend(other.next.into_iter().map(|h| h + shift));
-        self.prev.extend(other.prev.into_iter().map(|h| h + shift));
-        self.free.extend(other.free.into_iter().map(|edge| edge + shift / 2));
-        shift
-    }
-
-    /// Fills the gaps: the last edges move into the places of removed ones. `keep` is a half-edge; returned is its number
-    /// afterwards. O(removed edges log).
-    pub(super) fn fill_gaps(&mut self, mut keep: u32) -> u32 {
+    /// Fills the gaps: the last edges move into the places of removed ones. `keep` is a half-edge; returned are its number
+    /// afterwards, and a number that all are below. O(removed edges log).
+    pub(super) fn fill_gaps(mut self, mut keep: u32) -> (u32, usize) {
         let mut free = std::mem::take(&mut self.free);
         free.sort_unstable();
         // Gaps from the front, to be filled; at the end, to be cut off.
         let (mut first, mut end) = (0, free.len());
+        let mut last = (self.base + self.made) / 2;
         while first < end {
-            let last = self.origin.len() as u32 / 2 - 1;
+            last -= 1;
             if free[end - 1] == last {
                 end -= 1;
             } else {
@@ -150,17 +156,15 @@ impl Halves {
                 }
                 first += 1;
             }
-            for column in [&mut self.origin, &mut self.next, &mut self.prev] {
-                column.truncate(2 * last as usize);
-            }
         }
-        keep
+        (keep, 2 * last as usize)
     }
 
     /// Gives a half-edge another number.
     fn move_half(&mut self, from: u32, to: u32) {
         let (next, prev) = (self.next(from), self.prev(from));
-        self.origin[to as usize] = self.origin(from);
+        let place = self.place(to);
+        self.origin[place] = self.origin(from);
         self.link(to, if next == from { to } else { next });
         self.link(if prev == from { to } else { prev }, to);
     }
@@ -172,7 +176,8 @@ mod tests {
 
     #[test]
     fn gaps_are_filled_from_the_end_and_the_kept_half_edge_is_followed() {
-        let mut halves = Halves::with_room(4);
+        let [mut origin, mut next, mut prev] = [[0; 8]; 3];
+        let mut halves = Halves::new(0, [&mut origin, &mut next, &mut prev]);
         let first = halves.edge(0, 1);
         let second = halves.extend(first, 2);
         let third = halves.extend(second, 3);
@@ -180,9 +185,29 @@ mod tests {
         halves.remove(first);
         halves.remove(third);
         // The second edge is alone now, and the last one, too; it moves to the front.
-        assert_eq!(halves.fill_gaps(fourth ^ 1), 1);
-        assert_eq!(halves.origin, [3, 4, 1, 2]);
-        assert_eq!((halves.next, halves.prev), (vec![1, 0, 3, 2], vec![1, 0, 3, 2]));
+        assert_eq!(halves.fill_gaps(fourth ^ 1), (1, 4));
+        assert_eq!(origin[..4], [3, 4, 1, 2]);
+        assert_eq!((&next[..4], &prev[..4]), (&[1, 0, 3, 2][..], &[1, 0, 3, 2][..]));
         assert_eq!(second, 2);
+    }
+
+    #[test]
+    fn edges_that_join_two_parts_lie_in_places_that_these_did_not_use() {
+        let [mut origin, mut next, mut prev] = [[9; 14]; 3];
+        let mut first = Halves::new(0, [&mut origin[..8], &mut next[..8], &mut prev[..8]]);
+        assert_eq!((first.edge(0, 1), first.edge(2, 3), first.edge(4, 5)), (0, 2, 4));
+        first.remove(2);
+        let mut free = first.into_free();
+        let mut second = Halves::new(8, [&mut origin[8..], &mut next[8..], &mut prev[8..]]);
+        assert_eq!((second.edge(6, 7), second.origin(8), second.destination(8)), (8, 6, 7));
+        free.extend(second.into_free());
+        // The edges 3, 5 and 6 were never used, 1 was taken out: the last one that is offered is the next one.
+        assert_eq!(free, [3, 1, 6, 5]);
+        let mut both = Halves::filled(0, [&mut origin, &mut next, &mut prev], free);
+        assert_eq!([both.connect(0, 8), both.extend(4, 8)], [10, 12]);
+        assert_eq!((both.origin(10), both.destination(10), both.next(10), both.prev(8)), (0, 6, 8, 10));
+        // One edge of six moves, that of the highest number; half-edge 13 is half-edge 3 then.
+        assert_eq!(both.fill_gaps(13), (3, 10));
+        assert_eq!(origin[..10], [0, 1, 5, 8, 4, 5, 0, 6, 6, 7]);
     }
 }

@@ -28,8 +28,7 @@ use super::{CoordinateError, Point, Subdivision};
 use crate::geometry::threads::{both, pieces};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
-use divide::{Divided, divide_and_conquer};
-use halves::Halves;
+use divide::{Divided, divide_and_conquer, stage};
 use order::{Ordered, ordered};
 
 /// Why points have no Delaunay triangulation.
@@ -102,6 +101,7 @@ impl Subdivision {
             point.check().map_err(|error| DelaunayError::Coordinate { point: i as u32, error })?;
         }
         let ordered = ordered(points);
+        let stage = stage(&ordered);
         let named = || {
             let vertices = numbered(points.len(), &ordered);
             let mut places = vec![Point::default(); ordered.sites.len()];
@@ -112,7 +112,8 @@ impl Subdivision {
             let names: Vec<u32> = ordered.sites.iter().map(|site| vertices[site.index as usize].number()).collect();
             (vertices, names, places)
         };
-        let (divided, (vertices, names, places)) = both(|| divide_and_conquer(&ordered), named);
+        let (divided, (vertices, names, places)) = both(|| divide_and_conquer(&ordered, &stage), named);
+        drop(stage);
         let subdivision = assembled(divided, &names, places.into());
         Ok(DelaunayBuilt { subdivision, vertices, repeated: ordered.repeated })
     }
@@ -159,8 +160,7 @@ fn assembled(divided: Option<Divided>, names: &[u32], points: VertexMap<Point>) 
 }
 
 /// The finished structure: the outline bounds `f0`, every other cycle a triangle. O(n).
-fn with_faces(Divided { halves, outer }: Divided, names: &[u32], vertices: usize) -> Dcel {
-    let Halves { mut origin, next, prev, .. } = halves;
+fn with_faces(Divided { mut origin, next, prev, outer }: Divided, names: &[u32], vertices: usize) -> Dcel {
     let named = || {
         // Places in the order are near each other; vertices need not be.
         let mut first_at = vec![Columns::NONE; names.len()];
@@ -176,24 +176,31 @@ fn with_faces(Divided { halves, outer }: Divided, names: &[u32], vertices: usize
 
 /// The face of each half-edge, and the first half-edge of each face.
 fn faces(next: &[u32], prev: &[u32], outer: u32) -> (Vec<u32>, Vec<u32>) {
-    let mut face = vec![Columns::NONE; next.len()];
-    let (mut boundary, mut h) = (Vec::with_capacity(next.len() / 3 + 1), outer);
-    boundary.push(outer);
-    while face[h as usize] == Columns::NONE {
-        face[h as usize] = 0;
-        boundary[0] = boundary[0].min(h);
+    let mut outline = vec![outer];
+    let mut h = next[outer as usize];
+    while h != outer {
+        outline.push(h);
         h = next[h as usize];
     }
-    for (h, (&second, &third)) in next.iter().zip(prev).enumerate() {
-        if face[h] == Columns::NONE {
-            let first = second.min(third);
-            face[h] = if first < h as u32 {
-                face[first as usize]
-            } else {
-                boundary.push(h as u32);
-                boundary.len() as u32 - 1
-            };
+    outline.sort_unstable();
+    let mut face = vec![0; next.len()];
+    // One place more than there are faces, see below.
+    let mut boundary = vec![0; next.len() / 3 + 2];
+    boundary[0] = outline[0];
+    let mut count = 1;
+    let mut outline = outline.into_iter().peekable();
+    for (h, (&second, &third)) in (0..).zip(next.iter().zip(prev)) {
+        if outline.next_if_eq(&h).is_some() {
+            continue;
         }
+        // Without a branch: which corner of its triangle is the first to come cannot be foreseen.
+        let first = second.min(third);
+        let is_first = h < first;
+        let known = face[first.min(h.saturating_sub(1)) as usize];
+        boundary[count] = h;
+        face[h as usize] = if is_first { count as u32 } else { known };
+        count += usize::from(is_first);
     }
+    boundary.truncate(count);
     (face, boundary)
 }

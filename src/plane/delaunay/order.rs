@@ -13,6 +13,7 @@
 
 use crate::geometry::point::corners;
 use crate::geometry::predicates::left_to_right;
+use crate::geometry::threads;
 use crate::plane::Point;
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -62,7 +63,8 @@ const CROWDED: usize = 32;
 /// Points in the order in which they are divided, each place once.
 pub(super) struct Ordered {
     pub(super) sites: Vec<Site>,
-    /// The keys of the sites in the finer grids of crowded cells, `NONE` outside of these. Empty if no cell is crowded.
+    /// The keys of the sites in the finer grids of crowded cells, `NONE` outside of these; they may end behind the last of
+    /// these cells.
     finer: [Vec<u32>; FINER],
     /// Points that repeat an earlier one: both input numbers.
     pub(super) repeated: Vec<(u32, u32)>,
@@ -82,6 +84,18 @@ impl Ordered {
         }?;
         Some((low + cut, axis))
     }
+
+    /// Puts sites of greater keys behind these. O(their number).
+    fn append(&mut self, other: Self) {
+        let count = self.sites.len();
+        self.sites.extend(other.sites);
+        for (keys, more) in self.finer.iter_mut().zip(other.finer).filter(|(_, more)| !more.is_empty()) {
+            keys.resize(count, Self::NONE);
+            keys.extend(more);
+        }
+        self.repeated.extend(other.repeated);
+        self.repeated.sort_unstable();
+    }
 }
 
 /// How many come before the highest bit of their keys changes, and the direction that this bit parts.
@@ -92,18 +106,60 @@ fn highest_bit<T>(range: &[T], key: impl Fn(&T) -> u32) -> Option<(u32, Axis)> {
     Some((cut as u32, if bit % 2 == 1 { Axis::X } else { Axis::Y }))
 }
 
+/// More points than this are put in order by two threads, if there are two.
+const LARGE: usize = 1 << 15;
+
 /// Puts points in order. Expected O(n) when they are spread over the plane or over parts of it, O(n log n) always.
 pub(super) fn ordered(points: &[Point]) -> Ordered {
     let grid = Grid::over(points.iter().copied());
-    let site = |(index, &point): (usize, &Point)| Site { point, key: grid.key(point), index: index as u32 };
-    let mut sites: Vec<Site> = points.iter().enumerate().map(site).collect();
+    if !threads::are_many() || points.len() <= LARGE {
+        return in_order(&grid, grid.sites(points, 0).collect());
+    }
+    // Each thread takes the points on its side of a key.
+    let (cut, half) = (middle_key(&grid, points), points.len() / 2);
+    let (mut low, high) = threads::both(
+        || in_order(&grid, sites_where(&grid, points, 2 * half, |key| key < cut)),
+        || in_order(&grid, sites_where(&grid, points, half, |key| key >= cut)),
+    );
+    low.append(high);
+    low
+}
+
+/// The sites of those points whose keys are wanted, in a vector with so much room. Which ones these are cannot be foreseen, so
+/// each is written, and the next one over it if it is not.
+fn sites_where(grid: &Grid, points: &[Point], room: usize, is_wanted: impl Fn(u32) -> bool) -> Vec<Site> {
+    const BLOCK: usize = 256;
+    let mut wanted = Vec::with_capacity(room);
+    let mut block = [Site { point: Point::default(), key: 0, index: 0 }; BLOCK];
+    for (first, points) in (0..).step_by(BLOCK).zip(points.chunks(BLOCK)) {
+        let mut count = 0;
+        for site in grid.sites(points, first) {
+            block[count] = site;
+            count += usize::from(is_wanted(site.key));
+        }
+        wanted.extend_from_slice(&block[..count]);
+    }
+    wanted
+}
+
+/// A key that about half of the points are below. O(1).
+fn middle_key(grid: &Grid, points: &[Point]) -> u32 {
+    const ASKED: usize = 1 << 10;
+    let mut keys: Vec<u32> = points.iter().step_by(points.len() / ASKED + 1).map(|&p| grid.key(p)).collect();
+    let middle = keys.len() / 2;
+    *keys.select_nth_unstable(middle).1
+}
+
+/// Puts sites that have their keys in order.
+fn in_order(grid: &Grid, mut sites: Vec<Site>) -> Ordered {
+    let count = sites.len();
     let mut scratch = sites.clone();
     if grid.sort(&mut sites, &mut scratch) {
         std::mem::swap(&mut sites, &mut scratch);
     }
     let order = Ordered { sites, finer: Default::default(), repeated: Vec::new() };
     let mut sorting = Sorting { order, scratch, kept: 0 };
-    sorting.cells(0..points.len(), &mut Vec::with_capacity(FINER + 1));
+    sorting.cells(0..count, &mut Vec::with_capacity(FINER + 1));
     let Sorting { mut order, kept, .. } = sorting;
     order.sites.truncate(kept);
     for keys in order.finer.iter_mut().filter(|keys| !keys.is_empty()) {
@@ -203,6 +259,11 @@ impl Grid {
             ((share * cells) as u32).min((1 << self.half) - 1)
         };
         spread(cell(p.x, self.low.x, self.high.x)) << 1 | spread(cell(p.y, self.low.y, self.high.y))
+    }
+
+    /// Points of these with their keys; the first one has the given number.
+    fn sites(&self, points: &[Point], first: u32) -> impl Iterator<Item = Site> {
+        (first..).zip(points).map(|(index, &point)| Site { point, key: self.key(point), index })
     }
 
     /// Sorts sites by key, digit by digit from the lowest on; stable. Whether they stand in `scratch` then, which is as

@@ -39,19 +39,8 @@ impl Cuts {
     pub(super) fn without_sweep(graph: &Graph, sets: &[u8]) -> Result<Self, NoMeetings> {
         let Graph { points, edges, .. } = graph;
         let edges = rightwards(points, edges);
-        let mut is_loose = vec![true; points.len()];
-        edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
-        let loose: Vec<u32> = (0..points.len() as u32).filter(|&p| is_loose[p as usize]).collect();
-        let Meetings { mut crossings, touches, gap } = meetings(points, &edges, &loose, sets)?;
-        let touched = || Groups::new(edges.len(), touches.iter().map(|&[edge, point]| (edge as usize, point)));
-        let touched = (!touches.is_empty()).then(touched);
-        // Edges that cross at a point that both of them pass are cut there already.
-        if let Some(touched) = &touched {
-            crossings.retain(|&[e, g]| {
-                let [one, other] = of_both([e, g], |edge| touched.of(edge as usize));
-                one.is_empty() || other.is_empty() || one.iter().all(|point| !other.contains(point))
-            });
-        }
+        let loose = without_edge(points.len(), &edges);
+        let (Meetings { crossings, touches, gap }, touched) = what_meets(points, &edges, &loose, sets)?;
         let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
         let both = |[e, g]: [u32; 2]| [ends(e), ends(g)];
         let placed = placed_all(&crossings, both);
@@ -96,6 +85,33 @@ impl Cuts {
     pub(super) fn is_empty(&self) -> bool {
         self.cuts.is_empty()
     }
+}
+
+/// The points, by number below a bound, from which no edge starts.
+pub(super) fn without_edge(bound: usize, edges: &[[u32; 2]]) -> Vec<u32> {
+    let mut is_loose = vec![true; bound];
+    edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
+    (0..bound as u32).filter(|&p| is_loose[p as usize]).collect()
+}
+
+/// What meets, see [`meetings`], and by edge the points in its interior, if there are any. Edges that cross at a point that
+/// both of them pass are cut there already: they are not among the crossings.
+pub(super) fn what_meets(
+    points: &[Point],
+    edges: &[[u32; 2]],
+    loose: &[u32],
+    sets: &[u8],
+) -> Result<(Meetings, Option<Groups<u32>>), NoMeetings> {
+    let mut found = meetings(points, edges, loose, sets)?;
+    if found.touches.is_empty() {
+        return Ok((found, None));
+    }
+    let touched = Groups::new(edges.len(), found.touches.iter().map(|&[edge, point]| (edge as usize, point)));
+    found.crossings.retain(|&[e, g]| {
+        let [one, other] = of_both([e, g], |edge| touched.of(edge as usize));
+        one.is_empty() || other.is_empty() || one.iter().all(|point| !other.contains(point))
+    });
+    Ok((found, Some(touched)))
 }
 
 /// A crossing rounded to a point, how far that is from it, and between which bounds the crossing lies to its right.

@@ -9,7 +9,7 @@
 //! ```
 
 use crate::geometry::point::corners;
-use crate::geometry::predicates::{left_to_right, orientation};
+use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::meet::Grid;
 use std::cmp::Ordering;
@@ -22,8 +22,8 @@ pub(super) struct Pixels {
     grid: Grid,
     /// The middles, from left to right, those above each other from bottom to top.
     pub(super) middles: Vec<Point>,
-    /// The numbers of the middles, those of each node together.
-    order: Vec<u32>,
+    /// The middles with their numbers, those of each node together.
+    order: Vec<(Point, u32)>,
     nodes: Vec<Node>,
 }
 
@@ -40,7 +40,7 @@ struct Node {
 impl Pixels {
     /// The pixels round grid points, from left to right and each once. O(n log n).
     pub(super) fn new(grid: Grid, middles: Vec<Point>) -> Self {
-        let order = (0..middles.len() as u32).collect();
+        let order = middles.iter().copied().zip(0..).collect();
         let mut pixels = Self { grid, middles, order, nodes: Vec::new() };
         if !pixels.order.is_empty() {
             pixels.grow(0, pixels.order.len());
@@ -50,23 +50,18 @@ impl Pixels {
 
     /// Adds the node of a part of the order, and all below it. The depth is the logarithm of the part.
     fn grow(&mut self, start: usize, end: usize) {
-        let [low, high] = corners(self.order[start..end].iter().map(|&i| self.middles[i as usize]));
+        let [low, high] = corners(self.order[start..end].iter().map(|&(middle, _)| middle));
         let node = self.nodes.len();
         self.nodes.push(Node { low, high, start: start as u32, end: end as u32, skip: 0 });
         if end - start > LEAF {
             let middle = usize::midpoint(start, end);
-            let (middles, wide) = (&self.middles, high.x - low.x >= high.y - low.y);
-            let key = |i: &u32| if wide { middles[*i as usize].x } else { middles[*i as usize].y };
-            self.order[start..end].select_nth_unstable_by(middle - start, |i, j| key(i).total_cmp(&key(j)));
+            let wide = high.x - low.x >= high.y - low.y;
+            let key = |(middle, _): &(Point, u32)| if wide { middle.x } else { middle.y };
+            self.order[start..end].select_nth_unstable_by(middle - start, |p, q| key(p).total_cmp(&key(q)));
             self.grow(start, middle);
             self.grow(middle, end);
         }
         self.nodes[node].skip = self.nodes.len() as u32;
-    }
-
-    /// The number of the pixel of a grid point.
-    pub(super) fn of(&self, middle: Point) -> Option<u32> {
-        self.middles.binary_search_by(|&p| left_to_right(p, middle)).ok().map(|i| i as u32)
     }
 
     /// The pixels that the segment passes, in its order.
@@ -74,15 +69,17 @@ impl Pixels {
     /// Cost: O(log n) and a little for each pixel nearby; for a long segment among n pixels spread evenly O(√n).
     pub(super) fn passed(&self, a: Point, b: Point, found: &mut Vec<u32>) {
         found.clear();
+        let near = Near::new(a, b, 2.0 * self.grid.size());
         let mut i = 0;
         while let Some(node) = self.nodes.get(i) {
-            if self.misses(node, a, b) {
+            if near.misses(node.low, node.high) {
                 i = node.skip as usize;
                 continue;
             }
             if node.skip as usize == i + 1 {
                 let part = &self.order[node.start as usize..node.end as usize];
-                found.extend(part.iter().filter(|&&p| passes(self.grid, self.middles[p as usize], a, b)));
+                let is_passed = |p: Point| !near.misses(p, p) && passes(self.grid, p, a, b);
+                found.extend(part.iter().filter(|(middle, _)| is_passed(*middle)).map(|&(_, i)| i));
             }
             i += 1;
         }
@@ -93,20 +90,38 @@ impl Pixels {
             along(a.x, b.x, p.x, q.x).then(along(a.y, b.y, p.y, q.y))
         });
     }
+}
 
-    /// Whether the segment surely misses all pixels of the node. With a grid step to spare for rounding.
-    fn misses(&self, node: &Node, a: Point, b: Point) -> bool {
-        let more = 2.0 * self.grid.size();
-        let apart = |low: f64, high: f64, a: f64, b: f64| a.max(b) < low - more || a.min(b) > high + more;
-        if apart(node.low.x, node.high.x, a.x, b.x) || apart(node.low.y, node.high.y, a.y, b.y) {
+/// A segment, and what is near it.
+struct Near {
+    a: Point,
+    /// Along the segment.
+    dx: f64,
+    dy: f64,
+    /// Its box, and a distance more on each side.
+    low: Point,
+    high: Point,
+    more: f64,
+}
+
+impl Near {
+    fn new(a: Point, b: Point, more: f64) -> Self {
+        let [low, high] = corners([a, b].into_iter());
+        let [low, high] = [Point::new(low.x - more, low.y - more), Point::new(high.x + more, high.y + more)];
+        Self { a, dx: b.x - a.x, dy: b.y - a.y, low, high, more }
+    }
+
+    /// Whether the segment surely misses all pixels whose middles are in a box. With a grid step to spare for rounding.
+    #[inline(always)]
+    fn misses(&self, low: Point, high: Point) -> bool {
+        if self.high.x < low.x || self.low.x > high.x || self.high.y < low.y || self.low.y > high.y {
             return true;
         }
-        let half = |low: f64, high: f64| (high - low) / 2.0 + more;
-        let (reach_x, reach_y) = (half(node.low.x, node.high.x), half(node.low.y, node.high.y));
-        let (x, y) = (f64::midpoint(node.low.x, node.high.x) - a.x, f64::midpoint(node.low.y, node.high.y) - a.y);
-        let (dx, dy) = (b.x - a.x, b.y - a.y);
-        let (one, other) = (dx * y, dy * x);
-        let reach = dx.abs() * reach_y + dy.abs() * reach_x;
+        let half = |low: f64, high: f64| (high - low) / 2.0 + self.more;
+        let (reach_x, reach_y) = (half(low.x, high.x), half(low.y, high.y));
+        let (x, y) = (f64::midpoint(low.x, high.x) - self.a.x, f64::midpoint(low.y, high.y) - self.a.y);
+        let (one, other) = (self.dx * y, self.dy * x);
+        let reach = self.dx.abs() * reach_y + self.dy.abs() * reach_x;
         (one - other).abs() > reach + 1e-14 * (one.abs() + other.abs() + reach)
     }
 }
@@ -139,6 +154,7 @@ fn passes(grid: Grid, middle: Point, a: Point, b: Point) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::predicates::left_to_right;
     use crate::geometry::random::xorshift;
 
     /// Whether the segment has a point in the half-open unit square round whole numbers (i, j), in fractions: the

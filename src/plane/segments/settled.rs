@@ -8,6 +8,7 @@
 //! ```
 
 use super::angles::{one_rings_by_angle, one_rings_where};
+use super::crossed::without_edge;
 use super::graph::Graph;
 use super::trace::{Seen, trace};
 use crate::geometry::both::of_both;
@@ -31,9 +32,7 @@ const FEW_SIDES: usize = 12;
 pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<Seen>, TooMany> {
     let Graph { points, edges, .. } = graph;
     let near = near_bent(graph, is_straight);
-    let mut is_loose = vec![true; points.len()];
-    edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
-    let loose: Vec<u32> = (0..points.len() as u32).filter(|&p| is_loose[p as usize]).collect();
+    let loose = without_edge(points.len(), edges);
     let sets: Vec<u8> = near.iter().map(|&e| is_straight[e as usize]).collect();
     let near: Vec<[u32; 2]> = near.into_iter().map(|e| edges[e as usize]).collect();
     let found = meetings(points, &rightwards(points, &near), &loose, &sets);
@@ -41,6 +40,16 @@ pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<S
         return Ok(None);
     }
     where_nothing_meets(graph).map(Some)
+}
+
+/// A look at a graph, pair by pair. None if something meets, or if so many pairs may meet that a sweep is needed.
+///
+/// Cost: that of [`meetings`]; O(n), and O(d log d) for a vertex with d edges.
+pub(super) fn look_by_pairs(graph: &Graph) -> Result<Option<Seen>, TooMany> {
+    let Graph { points, edges, .. } = graph;
+    let found = meetings(points, &rightwards(points, edges), &without_edge(points.len(), edges), &[]);
+    let is_settled = found.is_ok_and(|found| found.crossings.is_empty() && found.touches.is_empty());
+    is_settled.then(|| where_nothing_meets(graph)).transpose()
 }
 
 /// A look at a graph whose vertices were rounded by much less than the gap, and in which edges that were cut were farther than
@@ -149,6 +158,25 @@ mod tests {
             }
         }
         assert!(proved > 3_000 && islands > 1_000 && wrong > 3_000, "{proved}, {islands}, {wrong}, {left} left");
+    }
+
+    #[test]
+    fn a_look_by_pairs_says_what_a_sweep_says_and_the_same_is_made() {
+        let (mut settled, mut meeting) = (0, 0);
+        for seed in 1..=3_000_u64 {
+            let mut graph = random(&mut numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+            let mut other = graph.clone();
+            let swept = look(&graph).unwrap();
+            match look_by_pairs(&graph).unwrap() {
+                Some(seen) => {
+                    assert!(swept.intersection().is_none(), "seed {seed}: {:?}", swept.intersection());
+                    assert_eq!(trace(&mut graph, seen).unwrap(), trace(&mut other, swept).unwrap(), "seed {seed}");
+                    settled += 1;
+                }
+                None => meeting += u32::from(swept.intersection().is_some()),
+            }
+        }
+        assert!(settled > 800 && meeting > 1_900, "{settled}, {meeting}");
     }
 
     #[test]

@@ -19,16 +19,23 @@
 //! line segments efficiently in two and three dimensions*, 1997.
 
 use super::chains::{Snapped, Split};
+use super::crossed::what_meets;
 use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
+use crate::geometry::both::of_both;
 use crate::geometry::grouping::Joined;
 use crate::geometry::predicates::{left_to_right, orientation};
+use crate::geometry::threads;
 use crate::plane::Point;
-use crate::plane::meet::{EventPlace, Grid, visit_intersections};
+use crate::plane::meet::{Crossed, EventPlace, Grid, Meetings, visit_intersections};
+use crate::plane::sweep::rightwards;
 use std::ops::ControlFlow;
 
 /// So often parts are added one after another; then all are rounded.
 const GENTLE: u32 = 3;
+
+/// So many crossings, or edges, are a piece of work.
+const PIECE: usize = 1 << 12;
 
 /// What splitting in place has reached.
 pub(super) struct Plain<'a> {
@@ -123,10 +130,42 @@ struct Made {
     origin: Vec<Option<u32>>,
 }
 
+/// What some edges become.
+#[derive(Clone, Default)]
+struct Chains {
+    /// The ends of the pieces, edge by edge.
+    ends: Vec<[u32; 2]>,
+    /// By edge, how many pieces there are up to its last one.
+    lengths: Vec<u32>,
+    /// Whether an edge bends.
+    bend: bool,
+}
+
+/// What all edges become: where the pieces of each start, the ends of all of them, and whether an edge bends.
+fn chains(edges: usize, add: impl Fn(usize, &mut Vec<u32>, &mut Chains) + Sync) -> (Vec<u32>, Vec<[u32; 2]>, bool) {
+    let mut groups = vec![Chains::default(); edges.div_ceil(PIECE)];
+    threads::pieces(&mut groups, 1, |first, groups| {
+        let mut found = Vec::new();
+        for (first, group) in (first * PIECE..).step_by(PIECE).zip(groups) {
+            (first..edges.min(first + PIECE)).for_each(|e| add(e, &mut found, group));
+        }
+    });
+    let bends = groups.iter().any(|group| group.bend);
+    let mut starts = Vec::with_capacity(edges + 1);
+    let mut pieces: Vec<[u32; 2]> = Vec::with_capacity(groups.iter().map(|group| group.ends.len()).sum());
+    starts.push(0);
+    for group in groups {
+        starts.extend(group.lengths.iter().map(|length| pieces.len() as u32 + length));
+        pieces.extend(group.ends);
+    }
+    (starts, pieces, bends)
+}
+
 fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>) -> Made {
     let given = plain.given as u32;
     let chosen: Vec<bool> = (0..graph.points.len() as u32).map(|p| parts.is_chosen(p)).collect();
-    let at = |p: u32| graph.points[p as usize];
+    let Graph { points: before, edges: cut, .. } = graph;
+    let at = |p: u32| before[p as usize];
     let grid = grid.unwrap_or_else(|| {
         let reach = |p: u32| at(p).x.abs().max(at(p).y.abs());
         Grid::finest((0..given).filter(|&p| chosen[p as usize]).map(reach).fold(0.0, f64::max))
@@ -146,25 +185,23 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
     now.resize(graph.points.len(), u32::MAX);
     stays.iter().zip(&number[plain.given..]).for_each(|(&p, &n)| now[p as usize] = n);
 
-    let mut starts = Vec::with_capacity(plain.edges.len() + 1);
-    let mut pieces: Vec<[u32; 2]> = Vec::new();
-    let mut passed = Vec::new();
-    let mut bends = false;
-    for (e, &[a, b]) in plain.edges.iter().enumerate() {
-        starts.push(pieces.len() as u32);
+    let piece = |e: usize, found: &mut Vec<u32>, pieces: &mut Chains| {
+        let [a, b] = plain.edges[e];
         if chosen[a as usize] {
-            pixels.passed(at(a), at(b), &mut passed);
-            bends |= passed.iter().any(|&pixel| orientation(at(a), at(b), pixels.middles[pixel as usize]).is_ne());
-            pieces.extend(passed.windows(2).map(|pair| [middle(pair[0]), middle(pair[1])]));
+            pixels.passed(at(a), at(b), found);
+            let is_off = |&pixel: &u32| orientation(at(a), at(b), pixels.middles[pixel as usize]).is_ne();
+            pieces.bend = pieces.bend || found.iter().any(is_off);
+            pieces.ends.extend(found.windows(2).map(|pair| [middle(pair[0]), middle(pair[1])]));
         } else {
             let range = plain.split.starts[e] as usize..plain.split.starts[e + 1] as usize;
-            pieces.extend(plain.split.chain[range].iter().map(|&h| {
-                let [a, b] = graph.edges[(h >> 1) as usize].map(|p| now[p as usize]);
+            pieces.ends.extend(plain.split.chain[range].iter().map(|&h| {
+                let [a, b] = cut[(h >> 1) as usize].map(|p| now[p as usize]);
                 if h & 1 == 0 { [a, b] } else { [b, a] }
             }));
         }
-    }
-    starts.push(pieces.len() as u32);
+        pieces.lengths.push(pieces.ends.len() as u32);
+    };
+    let (starts, pieces, bends) = chains(plain.edges.len(), piece);
     let Single { edges, half } = Single::new(points.len(), &pieces, |_, _| {});
 
     let kept_made = plain.split.made.iter().filter(|&&(p, _)| !chosen[p as usize]);
@@ -203,23 +240,117 @@ fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> 
     let is_given = |p: u32| (p as usize) < plain.given && chosen[p as usize];
     let by_place: Vec<u32> = graph.by_place().iter().copied().filter(|&p| is_given(p)).collect();
     let edges: Vec<[u32; 2]> = plain.edges.iter().copied().filter(|&[a, _]| chosen[a as usize]).collect();
-    let mut crossings: Vec<(Point, f64)> = Vec::new();
-    let _ = visit_intersections(&graph.points, &edges, &by_place, |event| {
+    let crossings = match crossings_of_pairs(&graph.points, &edges, &by_place, grid) {
+        Some(crossings) => crossings,
+        None => crossings_of_sweep(&graph.points, &edges, &by_place, grid),
+    };
+    // Every pixel once, with the greatest distance of a crossing in it; nowhere is farther than that of no crossing.
+    let mut hot: Crossings = by_place.iter().map(|&p| (grid.place(graph.points[p as usize]), NO_CROSSING)).collect();
+    hot.extend(crossings);
+    hot.sort_unstable_by(|p, q| left_to_right(p.0, q.0).then(q.1.total_cmp(&p.1)));
+    hot.dedup_by_key(|pixel| pixel.0);
+    let off = (0..).zip(&hot).filter(|(_, pixel)| pixel.1 != NO_CROSSING).map(|(i, pixel)| (i, pixel.1)).collect();
+    (Pixels::new(grid, hot.into_iter().map(|(middle, _)| middle).collect()), off)
+}
+
+/// The distance of a crossing from a pixel without one.
+const NO_CROSSING: f64 = -1.0;
+
+/// The middles of the pixels with crossings, and how far these are from there at most.
+type Crossings = Vec<(Point, f64)>;
+
+/// The crossings that a sweep meets, from left to right.
+fn crossings_of_sweep(points: &[Point], edges: &[[u32; 2]], by_place: &[u32], grid: Grid) -> Crossings {
+    let mut crossings = Crossings::new();
+    let _ = visit_intersections(points, edges, by_place, |event| {
         if let EventPlace::Crossing(crossing) = event.place {
-            let (middle, off) = crossing.on_grid(grid);
-            // Crossings come from left to right: in a bundle many follow each other in one pixel.
-            match crossings.last_mut() {
-                Some(last) if last.0 == middle => last.1 = last.1.max(off),
-                _ => crossings.push((middle, off)),
-            }
+            add(&mut crossings, crossing, grid);
         }
         ControlFlow::Continue(())
     });
-    let mut middles: Vec<Point> = by_place.iter().map(|&p| grid.place(graph.points[p as usize])).collect();
-    middles.extend(crossings.iter().map(|&(p, _)| p));
-    middles.sort_unstable_by(|&p, &q| left_to_right(p, q));
-    middles.dedup();
-    let pixels = Pixels::new(grid, middles);
-    let off = crossings.iter().filter_map(|&(p, off)| Some((pixels.of(p)?, off))).collect();
-    (pixels, off)
+    crossings
+}
+
+/// The crossings of pairs of edges, where these can be found without a sweep. A crossing of more than two edges is
+/// there for each pair of them.
+fn crossings_of_pairs(points: &[Point], edges: &[[u32; 2]], given: &[u32], grid: Grid) -> Option<Crossings> {
+    let edges = rightwards(points, edges);
+    let mut is_loose = vec![false; points.len()];
+    given.iter().for_each(|&p| is_loose[p as usize] = true);
+    edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
+    let loose: Vec<u32> = given.iter().copied().filter(|&p| is_loose[p as usize]).collect();
+    let (Meetings { crossings: pairs, .. }, _) = what_meets(points, &edges, &loose, &[]).ok()?;
+    let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
+    let mut pieces: Vec<(&[[u32; 2]], Crossings)> = pairs.chunks(PIECE).map(|pairs| (pairs, Vec::new())).collect();
+    threads::pieces(&mut pieces, 1, |_, pieces| {
+        for (pairs, crossings) in pieces {
+            pairs.iter().for_each(|&[one, other]| add(crossings, &Crossed::new(ends(one), ends(other)), grid));
+        }
+    });
+    Some(pieces.into_iter().flat_map(|(_, crossings)| crossings).collect())
+}
+
+/// Adds a crossing; in a bundle many follow each other in one pixel.
+fn add(crossings: &mut Crossings, crossing: &Crossed, grid: Grid) {
+    let (middle, off) = crossing.on_grid(grid);
+    match crossings.last_mut() {
+        Some(last) if last.0 == middle => last.1 = last.1.max(off),
+        _ => crossings.push((middle, off)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::collinear::Pieces;
+    use super::*;
+    use crate::plane::sweep::tests::numbers;
+
+    /// The greatest distance in each pixel.
+    fn by_pixel(mut crossings: Crossings) -> Crossings {
+        crossings.sort_by(|p, q| left_to_right(p.0, q.0).then(q.1.total_cmp(&p.1)));
+        crossings.dedup_by_key(|crossing| crossing.0);
+        crossings
+    }
+
+    #[test]
+    fn pairs_of_edges_and_a_sweep_give_the_same_pixels() {
+        let (mut two, mut more, mut without, mut at_points) = (0, 0, 0, 0);
+        for seed in 1..3_000_u64 {
+            let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            // Of few places, so that many edges cross in one point, and at points of others; or of many.
+            let range = [5, 9, 1 << 30][seed as usize % 3];
+            let mut place = || Point::new(next(range) as f64, next(range) as f64);
+            let places: Vec<Point> = (0..30).map(|_| place()).collect();
+            let Distinct { points, order, number } = Distinct::new(&places);
+            let ends: Vec<[u32; 2]> =
+                number[..24].chunks_exact(2).map(|ends| [ends[0], ends[1]]).filter(|[a, b]| a != b).collect();
+            let mut graph = Graph { edges: Single::new(points.len(), &ends, |_, _| {}).edges, points, order };
+            Pieces::cut(&mut graph);
+            let grid = Grid::of([0.25, 1.0, 2f64.powi(-20), 64.0][seed as usize / 3 % 4]).unwrap();
+            let Graph { points, edges, .. } = &graph;
+            let Some(pairs) = crossings_of_pairs(points, edges, graph.by_place(), grid) else {
+                without += 1;
+                continue;
+            };
+            let mut events = 0;
+            let _ = visit_intersections(points, edges, graph.by_place(), |event| {
+                match event.place {
+                    EventPlace::Crossing(_) if event.through.len() == 2 => two += 1,
+                    EventPlace::Crossing(_) => more += 1,
+                    EventPlace::Vertex(_) => at_points += u32::from(event.through.len() > 1),
+                }
+                events += 1;
+                ControlFlow::Continue(())
+            });
+            let swept = by_pixel(crossings_of_sweep(points, edges, graph.by_place(), grid));
+            let pairs = by_pixel(pairs);
+            assert!(swept.len() <= events && swept.len() == pairs.len(), "seed {seed}: {swept:?} {pairs:?}");
+            for (one, other) in swept.iter().zip(&pairs) {
+                // A crossing of more than two edges is known from any two of them, up to a few last places.
+                let is_near = (one.1 - other.1).abs() <= 1e-14 * range as f64;
+                assert!(one.0 == other.0 && is_near, "seed {seed}: {one:?} {other:?}");
+            }
+        }
+        assert!(two > 20_000 && more > 300 && at_points > 300 && without < 30, "{two} {more} {at_points} {without}");
+    }
 }

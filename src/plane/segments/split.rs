@@ -18,7 +18,7 @@
 use super::chains::Split;
 use super::crossed::Cuts;
 use super::graph::{Graph, Order, Single};
-use super::settled::{look_at_bent, look_within, proved_by_faces};
+use super::settled::{look_at_bent, look_by_pairs, look_within, proved_by_faces};
 use super::snap::{Plain, snap};
 use super::trace::{Seen, look};
 use crate::geometry::grouping::Groups;
@@ -111,7 +111,8 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>, first: Option<Cuts>) 
     }
     let edges = uncut.unwrap_or_else(|| graph.edges.clone());
     let split = snap(graph, &Plain { split, given, edges: &edges }, grid);
-    Ok((split, look(graph)?))
+    let seen = look_by_pairs(graph)?.map_or_else(|| look(graph), Ok)?;
+    Ok((split, seen))
 }
 
 /// Where edges are to be cut; none if there are more than `most` crossings.
