@@ -170,7 +170,7 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
         let reach = |p: u32| at(p).x.abs().max(at(p).y.abs());
         Grid::finest((0..given).filter(|&p| chosen[p as usize]).map(reach).fold(0.0, f64::max))
     });
-    let (pixels, off) = hot_pixels(graph, plain, &chosen, grid);
+    let (middles, off) = hot_pixels(graph, plain, &chosen, grid);
 
     // The points: those given, those of crossings that stay, the middles.
     let mut places: Vec<Point> =
@@ -178,8 +178,9 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
     let stays: Vec<u32> = (given..graph.points.len() as u32).filter(|&p| !chosen[p as usize]).collect();
     places.extend(stays.iter().map(|&p| at(p)));
     let first_middle = places.len();
-    places.extend_from_slice(&pixels.middles);
-    let Distinct { points, order, number } = Distinct::new(&places);
+    places.extend_from_slice(&middles);
+    let (pixels, Distinct { points, order, number }) =
+        threads::both(|| Pixels::new(grid, middles), || Distinct::without_order(&places));
     let middle = |pixel: u32| number[first_middle + pixel as usize];
     let mut now: Vec<u32> = number[..plain.given].to_vec();
     now.resize(graph.points.len(), u32::MAX);
@@ -234,9 +235,9 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
     }
 }
 
-/// The pixels with a point or a crossing of the chosen parts, and for those with crossings how far the furthest of these
-/// is from the middle.
-fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> (Pixels, Vec<(u32, f64)>) {
+/// The middles of the pixels with a point or a crossing of the chosen parts, from left to right, and for those with crossings
+/// how far the furthest of these is from the middle.
+fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> (Vec<Point>, Vec<(u32, f64)>) {
     let is_given = |p: u32| (p as usize) < plain.given && chosen[p as usize];
     let by_place: Vec<u32> = graph.by_place().iter().copied().filter(|&p| is_given(p)).collect();
     let edges: Vec<[u32; 2]> = plain.edges.iter().copied().filter(|&[a, _]| chosen[a as usize]).collect();
@@ -250,7 +251,7 @@ fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> 
     hot.sort_unstable_by(|p, q| left_to_right(p.0, q.0).then(q.1.total_cmp(&p.1)));
     hot.dedup_by_key(|pixel| pixel.0);
     let off = (0..).zip(&hot).filter(|(_, pixel)| pixel.1 != NO_CROSSING).map(|(i, pixel)| (i, pixel.1)).collect();
-    (Pixels::new(grid, hot.into_iter().map(|(middle, _)| middle).collect()), off)
+    (hot.into_iter().map(|(middle, _)| middle).collect(), off)
 }
 
 /// The distance of a crossing from a pixel without one.
