@@ -14,8 +14,9 @@
 //! | check the laws of the plane | [`GeometryViolation`] |
 //! | decide exactly | [`predicates`] |
 //!
-//! With the feature `parallel`, threads share the halves of a [Delaunay triangulation](Subdivision::delaunay) of more than
-//! 32,768 points, blocks of points to [locate](PointIndex::locate_all) and the making of the [index](PointIndex::new).
+//! With the feature `parallel`, threads share the parts of a [Delaunay triangulation](Subdivision::delaunay) of more than
+//! 32,768 points, blocks of points to [locate](PointIndex::locate_all), the making of the [index](PointIndex::new), and the
+//! segments that a [grid](ArrangeOptions::grid) rounds.
 //! Answers and numbers are the same with any number of threads; `RAYON_NUM_THREADS=1` asks for one.
 
 // The files of this folder:

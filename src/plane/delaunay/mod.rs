@@ -75,7 +75,7 @@ impl Subdivision {
     /// ```
     ///
     /// Cost: O(n log n), for points spread evenly nearly O(n). All decisions are exact. With the feature `parallel` two
-    /// threads and more make the halves of large sets.
+    /// threads and more make the parts of large sets.
     ///
     /// # Errors
     /// [`DelaunayError`] names the first point that cannot be used.

@@ -47,7 +47,8 @@ pub(super) struct Plain<'a> {
 
 /// Rounds the parts of the graph in which edges meet; all of it if there is a `grid`. The graph becomes the result.
 ///
-/// Cost: O((n + k) log n) for n edges with k crossings that are not yet rounded, O(√n) for each long edge, and the length of
+/// Cost: O((n + k) log n) for n edges with k crossings that are not yet rounded, found without a sweep where edges are about as
+/// long as they are apart; O(√n) for each long edge, and the length of
 /// all chains: in a bundle of edges that run along each other, each of them passes the crossings of all.
 pub(super) fn snap(graph: &mut Graph, plain: &Plain<'_>, grid: Option<Grid>) -> Split {
     let mut parts = Parts::new(graph);
