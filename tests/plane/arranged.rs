@@ -3,6 +3,7 @@
 use crate::numbers::Numbers;
 use dcel_kit::VertexId;
 use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
+use std::collections::BTreeMap;
 
 const SPLIT: ArrangeOptions = ArrangeOptions { merge: true, split: true, grid: None, most_faults: 100 };
 
@@ -110,4 +111,45 @@ fn a_grid_moves_nothing_where_all_crossings_lie_on_it() {
         counts[usize::from(leaves)] += usize::from(!arranged.crossings.is_empty());
     }
     assert!(counts[0] > 20 && counts[1] > 50, "{counts:?}");
+}
+
+/// By all pairs of segments: which vertices stand for crossings, and how far the farthest of these is.
+#[test]
+fn a_grid_tells_how_far_each_vertex_is_from_its_farthest_crossing() {
+    let size = 0.5;
+    let (mut alone, mut shared) = (0, 0);
+    for seed in 0..200 {
+        let mut next = Numbers::new(seed + 70_000);
+        let mut place = || Point::new(8.0 * next.unit(), 8.0 * next.unit());
+        let segments: Vec<[Point; 2]> = (0..24).map(|_| [place(), place()]).collect();
+        let mut expected: BTreeMap<[i64; 2], (f64, u32)> = BTreeMap::new();
+        for (i, [a, b]) in segments.iter().enumerate() {
+            for [c, d] in &segments[..i] {
+                let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+                let (along, across) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y]);
+                let between = [c.x - a.x, c.y - a.y];
+                let shares = [across, along].map(|v| cross(between, v) / cross(along, across));
+                if shares.iter().all(|share| (0.0..1.0).contains(share)) {
+                    let crossing = [a.x + shares[0] * along[0], a.y + shares[0] * along[1]];
+                    let pixel = crossing.map(|x| (x / size + 0.5).floor());
+                    let off = (pixel[0] * size - crossing[0]).hypot(pixel[1] * size - crossing[1]);
+                    let entry = expected.entry(pixel.map(|x| x as i64)).or_default();
+                    *entry = (entry.0.max(off), entry.1 + 1);
+                }
+            }
+        }
+        let arranged = Subdivision::arrange_segments(&segments, &ArrangeOptions { grid: Some(size), ..SPLIT }).unwrap();
+        let told: BTreeMap<[i64; 2], f64> = arranged
+            .moved
+            .iter()
+            .map(|&(v, off)| (arranged.subdivision.point(v), off))
+            .map(|(p, off)| ([p.x, p.y].map(|x| (x / size) as i64), off))
+            .collect();
+        assert!(told.keys().eq(expected.keys()), "seed {seed}: {told:?}, expected {expected:?}");
+        for (off, &(farthest, crossings)) in told.values().zip(expected.values()) {
+            assert!((off - farthest).abs() < 1e-9, "seed {seed}: {off}, expected {farthest}");
+            *if crossings == 1 { &mut alone } else { &mut shared } += 1;
+        }
+    }
+    assert!(alone > 2_000 && shared > 2_000, "{alone}, {shared}");
 }

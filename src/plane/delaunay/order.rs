@@ -115,11 +115,11 @@ pub(super) fn ordered(points: &[Point]) -> Ordered {
     if !threads::are_many() || points.len() <= LARGE {
         return in_order(&grid, grid.sites(points, 0).collect());
     }
-    // Each thread takes the points on its side of a key.
-    let (cut, half) = (middle_key(&grid, points), points.len() / 2);
+    // Each thread takes the points on its side of a key; the first one has room for those of the other, which follow.
+    let (cut, count) = (middle_key(&grid, points), points.len());
     let (mut low, high) = threads::both(
-        || in_order(&grid, sites_where(&grid, points, 2 * half, |key| key < cut)),
-        || in_order(&grid, sites_where(&grid, points, half, |key| key >= cut)),
+        || in_order(&grid, sites_where(&grid, points, count, |key| key < cut)),
+        || in_order(&grid, sites_where(&grid, points, count / 2 + count / 8, |key| key >= cut)),
     );
     low.append(high);
     low
