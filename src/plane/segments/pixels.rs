@@ -106,7 +106,7 @@ struct Near {
 
 impl Near {
     fn new(a: Point, b: Point, more: f64) -> Self {
-        let [low, high] = corners([a, b].into_iter());
+        let [low, high] = corners([a, b]);
         let [low, high] = [Point::new(low.x - more, low.y - more), Point::new(high.x + more, high.y + more)];
         Self { a, dx: b.x - a.x, dy: b.y - a.y, low, high, more }
     }
