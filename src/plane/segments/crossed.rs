@@ -39,7 +39,7 @@ impl Cuts {
     pub(super) fn without_sweep(graph: &Graph, sets: &[u8]) -> Result<Self, NoMeetings> {
         let Graph { points, edges, .. } = graph;
         let edges = rightwards(points, edges);
-        let loose = without_edge(points.len(), &edges);
+        let loose = without_edge(points.len(), 0..points.len() as u32, &edges);
         let (Meetings { crossings, touches, gap }, touched) = what_meets(points, &edges, &loose, sets)?;
         let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
         let both = |[e, g]: [u32; 2]| [ends(e), ends(g)];
@@ -87,11 +87,11 @@ impl Cuts {
     }
 }
 
-/// The points, by number below a bound, from which no edge starts.
-pub(super) fn without_edge(bound: usize, edges: &[[u32; 2]]) -> Vec<u32> {
+/// Those of some points at which no edge ends. All numbers of points are below a bound.
+pub(super) fn without_edge(bound: usize, points: impl Iterator<Item = u32>, edges: &[[u32; 2]]) -> Vec<u32> {
     let mut is_loose = vec![true; bound];
     edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
-    (0..bound as u32).filter(|&p| is_loose[p as usize]).collect()
+    points.filter(|&p| is_loose[p as usize]).collect()
 }
 
 /// What meets, see [`meetings`], and by edge the points in its interior, if there are any. Edges that cross at a point that

@@ -30,24 +30,25 @@ const FEW_SIDES: usize = 12;
 ///
 /// Cost: that of [`meetings`] for the edges near those that are not straight; O(n), and O(d log d) for a vertex with d edges.
 pub(super) fn look_at_bent(graph: &Graph, is_straight: &[u8]) -> Result<Option<Seen>, TooMany> {
-    let Graph { points, edges, .. } = graph;
     let near = near_bent(graph, is_straight);
-    let loose = without_edge(points.len(), edges);
     let sets: Vec<u8> = near.iter().map(|&e| is_straight[e as usize]).collect();
-    let near: Vec<[u32; 2]> = near.into_iter().map(|e| edges[e as usize]).collect();
-    let found = meetings(points, &rightwards(points, &near), &loose, &sets);
-    if !found.is_ok_and(|found| found.crossings.is_empty() && found.touches.is_empty()) {
-        return Ok(None);
-    }
-    where_nothing_meets(graph).map(Some)
+    let near: Vec<[u32; 2]> = near.into_iter().map(|e| graph.edges[e as usize]).collect();
+    if_nothing_meets(graph, &near, &sets)
 }
 
 /// A look at a graph, pair by pair. None if something meets, or if so many pairs may meet that a sweep is needed.
 ///
 /// Cost: that of [`meetings`]; O(n), and O(d log d) for a vertex with d edges.
 pub(super) fn look_by_pairs(graph: &Graph) -> Result<Option<Seen>, TooMany> {
+    if_nothing_meets(graph, &graph.edges, &[])
+}
+
+/// A look at a graph, if none of some edges of it meets another of them, or a point without an edge; for their sets see
+/// [`meetings`]. None also if so many pairs may meet that a sweep is needed.
+fn if_nothing_meets(graph: &Graph, some: &[[u32; 2]], sets: &[u8]) -> Result<Option<Seen>, TooMany> {
     let Graph { points, edges, .. } = graph;
-    let found = meetings(points, &rightwards(points, edges), &without_edge(points.len(), edges), &[]);
+    let loose = without_edge(points.len(), 0..points.len() as u32, edges);
+    let found = meetings(points, &rightwards(points, some), &loose, sets);
     let is_settled = found.is_ok_and(|found| found.crossings.is_empty() && found.touches.is_empty());
     is_settled.then(|| where_nothing_meets(graph)).transpose()
 }

@@ -19,7 +19,7 @@
 //! line segments efficiently in two and three dimensions*, 1997.
 
 use super::chains::{Snapped, Split};
-use super::crossed::what_meets;
+use super::crossed::{what_meets, without_edge};
 use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
 use crate::geometry::both::of_both;
@@ -237,7 +237,7 @@ fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>
 }
 
 /// The middles of the pixels with a point or a crossing of the chosen parts, from left to right, and for those with crossings
-/// how far the furthest of these is from the middle.
+/// off the middle how far the furthest of these is from it.
 fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> (Vec<Point>, Vec<(u32, f64)>) {
     let is_given = |p: u32| (p as usize) < plain.given && chosen[p as usize];
     let by_place: Vec<u32> = graph.by_place().iter().copied().filter(|&p| is_given(p)).collect();
@@ -246,17 +246,14 @@ fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> 
         Some(crossings) => crossings,
         None => crossings_of_sweep(&graph.points, &edges, &by_place, grid),
     };
-    // Every pixel once, with the greatest distance of a crossing in it; nowhere is farther than that of no crossing.
-    let mut hot: Crossings = by_place.iter().map(|&p| (grid.place(graph.points[p as usize]), NO_CROSSING)).collect();
+    // Every pixel once, with the greatest distance of a crossing in it.
+    let mut hot: Crossings = by_place.iter().map(|&p| (grid.place(graph.points[p as usize]), 0.0)).collect();
     hot.extend(crossings);
     hot.sort_unstable_by(|p, q| left_to_right(p.0, q.0).then(q.1.total_cmp(&p.1)));
     hot.dedup_by_key(|pixel| pixel.0);
-    let off = (0..).zip(&hot).filter(|(_, pixel)| pixel.1 != NO_CROSSING).map(|(i, pixel)| (i, pixel.1)).collect();
+    let off = (0..).zip(&hot).filter(|(_, pixel)| pixel.1 > 0.0).map(|(i, pixel)| (i, pixel.1)).collect();
     (hot.into_iter().map(|(middle, _)| middle).collect(), off)
 }
-
-/// The distance of a crossing from a pixel without one.
-const NO_CROSSING: f64 = -1.0;
 
 /// The middles of the pixels with crossings, and how far these are from there at most.
 type Crossings = Vec<(Point, f64)>;
@@ -277,10 +274,7 @@ fn crossings_of_sweep(points: &[Point], edges: &[[u32; 2]], by_place: &[u32], gr
 /// there for each pair of them.
 fn crossings_of_pairs(points: &[Point], edges: &[[u32; 2]], given: &[u32], grid: Grid) -> Option<Crossings> {
     let edges = rightwards(points, edges);
-    let mut is_loose = vec![false; points.len()];
-    given.iter().for_each(|&p| is_loose[p as usize] = true);
-    edges.as_flattened().iter().for_each(|&p| is_loose[p as usize] = false);
-    let loose: Vec<u32> = given.iter().copied().filter(|&p| is_loose[p as usize]).collect();
+    let loose = without_edge(points.len(), given.iter().copied(), &edges);
     let (Meetings { crossings: pairs, .. }, _) = what_meets(points, &edges, &loose, &[]).ok()?;
     let ends = |e: u32| of_both(edges[e as usize], |p| points[p as usize]);
     let mut pieces: Vec<(&[[u32; 2]], Crossings)> = pairs.chunks(PIECE).map(|pairs| (pairs, Vec::new())).collect();
